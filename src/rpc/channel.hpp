@@ -1,0 +1,46 @@
+// Where calls go. A channel carries one module's messages: over a socket, or straight into a service linked in this process.
+// Callers see typed calls and cannot tell which it is.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "rpc/codec.hpp"
+#include "rpc/message.hpp"
+#include "rpc/unique_fd.hpp"
+
+namespace animado::rpc {
+
+class Channel {
+ public:
+  virtual ~Channel() = default;
+
+  // Sends M's request and waits for its reply. Errors come back as animado::Error with the service's code, message, where and
+  // remedy; Code::unavailable when the service cannot be reached within the time limit. Requests are repeatable: a channel that loses
+  // its server looks it up again and sends the request once more.
+  template <class M>
+  typename M::Reply call(const typename M::Request& request) {
+    typename M::Reply reply;
+    exchange(codec<M>(), &request, &reply);
+    return reply;
+  }
+
+  // The descriptor that came with the last reply (shared arrays), if any.
+  virtual UniqueFd take_descriptor() = 0;
+
+ protected:
+  virtual void exchange(const MessageCodec& message, const void* request, void* reply) = 0;
+};
+
+class SharedArrays;
+
+// The other modules, as one of them sees them: sockets found through interexpserv, or services in this process.
+class Suite {
+ public:
+  virtual ~Suite() = default;
+  virtual Channel& channel(std::string_view service) = 0;  // "egesp", "fred", "colisao", "interexpserv"
+  virtual SharedArrays& arrays() = 0;
+};
+
+}  // namespace animado::rpc

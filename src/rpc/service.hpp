@@ -1,0 +1,75 @@
+// A service is a table: message → handler. The skeleton (daemon.hpp) serves it on a socket, LocalSuite serves it in this process.
+// Beside its own messages every service answers hello, ping, statistics and describe (common.hpp).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+
+#include "rpc/channel.hpp"
+#include "rpc/codec.hpp"
+#include "rpc/message.hpp"
+
+namespace animado::rpc {
+
+using ConnectionId = uint64_t;
+
+// What a handler may ask about the call it serves.
+class Call {
+ public:
+  virtual ~Call() = default;
+  virtual ConnectionId connection() const = 0;
+
+  // The numbers of an array of the request: inline ones, or the shared pages. Throws bad_shape when the array holds fewer than its
+  // shape asks for, unknown_array when nobody created it.
+  virtual std::span<const double> read(const Array& array) = 0;
+  virtual std::span<double> write(const Array& array) = 0;  // shared only: bad_params otherwise
+
+  virtual void send_descriptor(int fd) = 0;  // with the reply; the service keeps its own copy
+};
+
+class Service {
+ public:
+  using Handler = std::function<void(const void* request, void* reply, Call& call)>;
+  struct Entry {
+    const MessageCodec* codec;
+    Handler handler;
+  };
+
+  explicit Service(std::string name) : name_(std::move(name)) {}
+  const std::string& name() const { return name_; }
+
+  // Adds a row. `handler` is callable as Reply(const Request&, Call&) or Reply(const Request&).
+  template <class M, class H>
+  Service& on(H handler) {
+    add(codec<M>(), [handler = std::move(handler)](const void* request, void* reply, Call& call) mutable {
+      const auto& typed = *static_cast<const typename M::Request*>(request);
+      auto& answer = *static_cast<typename M::Reply*>(reply);
+      if constexpr (std::is_invocable_v<H, const typename M::Request&, Call&>) {
+        answer = handler(typed, call);
+      } else {
+        answer = handler(typed);
+      }
+    });
+    return *this;
+  }
+
+  const Entry* find(std::string_view method) const;
+  const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
+
+  // Called when a connection ends, however it ends (leases end here).
+  std::function<void(ConnectionId)> on_disconnect;
+  // How the service sends a notification to a connection; set by whoever serves it. False when the connection is gone.
+  std::function<bool(ConnectionId, const MessageCodec& message, const void* request)> notify;
+
+ private:
+  void add(const MessageCodec& codec, Handler handler);
+  std::string name_;
+  std::map<std::string, Entry, std::less<>> entries_;
+};
+
+// Puts `values` where the request asks for the result: into the shared array `out`, or inline. Returns the reply's array.
+Array deliver(Call& call, const std::optional<Array>& out, std::vector<int64_t> shape, std::vector<double> values);
+
+}  // namespace animado::rpc
