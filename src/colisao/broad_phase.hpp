@@ -1,0 +1,24 @@
+// Which pairs of bodies may meet between two states: those whose bounding boxes do (the paper's figure 3, in
+// time).
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "colisao/collider.hpp"
+
+namespace animado::colisao {
+
+using Pair = std::pair<int, int>;  // first < second
+
+// States of shape (13, bodies), rows as in base/state.hpp. The box of a body holds its bounding ball all
+// along the Hermite interpolant, enlarged by half the margin, so that a body which spins in place keeps its
+// box. Pairs sorted; bodies that may not meet are left out.
+std::vector<Pair> candidate_pairs(std::span<const Collider> bodies, const double* from, const double* to,
+                                  double step_s, double margin_m);
+
+// The same for one state.
+std::vector<Pair> candidate_pairs(std::span<const Collider> bodies, const double* state, double margin_m);
+
+}  // namespace animado::colisao
