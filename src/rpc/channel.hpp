@@ -1,5 +1,5 @@
-// Where calls go. A channel carries one module's messages: over a socket, or straight into a service linked in this process.
-// Callers see typed calls and cannot tell which it is.
+// Where calls go. A channel carries one module's messages: over a socket, or straight into a service linked
+// in this process. Callers see typed calls and cannot tell which it is.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,10 @@ class Channel {
  public:
   virtual ~Channel() = default;
 
-  // Sends M's request and waits for its reply. Errors come back as animado::Error with the service's code, message, where and
-  // remedy; Code::unavailable when the service cannot be reached within the time limit. Requests are repeatable: a channel that loses
-  // its server looks it up again and sends the request once more.
+  // Sends M's request and waits for its reply. Errors come back as animado::Error with the service's code,
+  // message, where and remedy; Code::unavailable when the service cannot be reached within the time limit.
+  // Requests are repeatable: a channel that loses its server looks it up again and sends the request once
+  // more.
   template <class M>
   typename M::Reply call(const typename M::Request& request) {
     typename M::Reply reply;
@@ -35,7 +36,8 @@ class Channel {
 
 class SharedArrays;
 
-// The other modules, as one of them sees them: sockets found through interexpserv, or services in this process.
+// The other modules, as one of them sees them: sockets found through interexpserv, or services in this
+// process.
 class Suite {
  public:
   virtual ~Suite() = default;

@@ -14,14 +14,16 @@
 //     struct Reply { … };
 //   };
 //
-// and a module lists its messages in a std::tuple named Messages. Encoding, decoding, the names in the logs, `animado call`
-// and the pages of docs/protocol.md all walk `fields`, so there is nothing else to keep in step.
+// and a module lists its messages in a std::tuple named Messages. Encoding, decoding, the names in the logs,
+// `animado call` and the pages of docs/protocol.md all walk `fields`, so there is nothing else to keep in
+// step.
 //
-// A field is a bool, an int64_t, a double, a std::string, an enum with names (below), an Array, a struct with fields, or a
-// std::vector or std::optional of these. Without kDefault a field must be there (an optional may be missing); with it, a missing
-// field keeps its initializer. Unknown fields are refused.
+// A field is a bool, an int64_t, a double, a std::string, an enum with names (below), an Array, a struct with
+// fields, or a std::vector or std::optional of these. Without kDefault a field must be there (an optional may
+// be missing); with it, a missing field keeps its initializer. Unknown fields are refused.
 //
-// An enum says its wire names by   constexpr auto names(const Pivoting*) { return std::array{"partial"sv, "complete"sv}; }
+// An enum says its wire names by   constexpr auto names(const Pivoting*) { return std::array{"partial"sv,
+// "complete"sv}; }
 #pragma once
 
 #include <cstdint>
@@ -41,8 +43,9 @@ struct Nothing {
   static void fields(Self&, F&&) {}
 };
 
-// Numbers in row-major order. A small array travels inline: {shape, data: bin of little-endian float64}. A large or long-lived one
-// is shared and only named: {shape, shared: name, offset: elements}; interexpserv owns it and hands out its descriptor.
+// Numbers in row-major order. A small array travels inline: {shape, data: bin of little-endian float64}. A
+// large or long-lived one is shared and only named: {shape, shared: name, offset: elements}; interexpserv
+// owns it and hands out its descriptor.
 struct Array {
   std::vector<int64_t> shape;
   std::vector<double> values;  // inline; empty when shared

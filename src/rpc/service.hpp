@@ -1,9 +1,11 @@
-// A service is a table: message → handler. The skeleton (daemon.hpp) serves it on a socket, LocalSuite serves it in this process.
-// Beside its own messages every service answers hello, ping, statistics and describe (common.hpp).
+// A service is a table: message → handler. The skeleton (daemon.hpp) serves it on a socket, LocalSuite serves
+// it in this process. Beside its own messages every service answers hello, ping, statistics and describe
+// (common.hpp).
 #pragma once
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -21,8 +23,8 @@ class Call {
   virtual ~Call() = default;
   virtual ConnectionId connection() const = 0;
 
-  // The numbers of an array of the request: inline ones, or the shared pages. Throws bad_shape when the array holds fewer than its
-  // shape asks for, unknown_array when nobody created it.
+  // The numbers of an array of the request: inline ones, or the shared pages. Throws bad_shape when the array
+  // holds fewer than its shape asks for, unknown_array when nobody created it.
   virtual std::span<const double> read(const Array& array) = 0;
   virtual std::span<double> write(const Array& array) = 0;  // shared only: bad_params otherwise
 
@@ -60,7 +62,8 @@ class Service {
 
   // Called when a connection ends, however it ends (leases end here).
   std::function<void(ConnectionId)> on_disconnect;
-  // How the service sends a notification to a connection; set by whoever serves it. False when the connection is gone.
+  // How the service sends a notification to a connection; set by whoever serves it. False when the connection
+  // is gone.
   std::function<bool(ConnectionId, const MessageCodec& message, const void* request)> notify;
 
  private:
@@ -69,7 +72,9 @@ class Service {
   std::map<std::string, Entry, std::less<>> entries_;
 };
 
-// Puts `values` where the request asks for the result: into the shared array `out`, or inline. Returns the reply's array.
-Array deliver(Call& call, const std::optional<Array>& out, std::vector<int64_t> shape, std::vector<double> values);
+// Puts `values` where the request asks for the result: into the shared array `out`, or inline. Returns the
+// reply's array.
+Array deliver(Call& call, const std::optional<Array>& out, std::vector<int64_t> shape,
+              std::vector<double> values);
 
 }  // namespace animado::rpc

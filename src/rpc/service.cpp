@@ -1,0 +1,36 @@
+#include "rpc/service.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/error.hpp"
+
+namespace animado::rpc {
+
+const Service::Entry* Service::find(std::string_view method) const {
+  const auto found = entries_.find(method);
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
+void Service::add(const MessageCodec& codec, Handler handler) {
+  const bool added = entries_.try_emplace(std::string(codec.name), Entry{&codec, std::move(handler)}).second;
+  assert(added && "two handlers for one message");
+}
+
+Array deliver(Call& call, const std::optional<Array>& out, std::vector<int64_t> shape,
+              std::vector<double> values) {
+  if (!out) return Array::inlined(std::move(shape), std::move(values));
+  const std::span<double> pages = call.write(*out);
+  if (out->shape != shape) {
+    throw Error(Code::bad_shape,
+                fmt::format("the result has shape ({}), out has ({})", fmt::join(shape, ", "),
+                            fmt::join(out->shape, ", ")),
+                "out", "create the shared array with the shape of the result");
+  }
+  std::copy(values.begin(), values.end(), pages.begin());
+  return *out;
+}
+
+}  // namespace animado::rpc
