@@ -1,0 +1,61 @@
+#include "controle/results/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace animado::controle {
+namespace {
+
+constexpr size_t kBufferBytes = size_t{1} << 18;  // a few system calls a megabyte
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(std::move(path)),
+      descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) fail("create");
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::write(std::string_view bytes) {
+  buffer_ += bytes;
+  if (buffer_.size() >= kBufferBytes) flush();
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("write");
+    rest.remove_prefix(static_cast<size_t>(written));
+  }
+  buffer_.clear();
+}
+
+void OutputFile::close() {
+  flush();
+  // EINVAL: what cannot be synced, as a pipe, keeps nothing that could be lost.
+  if (::fsync(descriptor_) != 0 && errno != EINVAL) fail("write");
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("close");
+}
+
+void OutputFile::fail(std::string_view action) const {
+  const int cause = errno;
+  throw Error(Code::unavailable, fmt::format("cannot {}: {}", action, std::strerror(cause)), path_.string(),
+              cause == ENOSPC || cause == EDQUOT
+                  ? "free space on the disk, or give another directory with --out"
+                  : "give a directory that can be written with --out");
+}
+
+}  // namespace animado::controle

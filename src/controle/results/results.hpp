@@ -1,0 +1,47 @@
+// The files of a run (docs/architecture.md): states.csv, events.jsonl, animation.glb and summary.json in one
+// directory. Made of plain values, so that anything that moves bodies can write them.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "controle/results/animation_glb.hpp"
+#include "controle/results/events_jsonl.hpp"
+#include "controle/results/states_csv.hpp"
+#include "controle/results/summary_json.hpp"
+
+namespace animado::controle {
+
+struct ResultBody {
+  std::string name;
+  Shape shape;
+  Motion motion = Motion::dynamic;
+  Vec3 color_srgb = Vec3::Constant(0.7);     // each in 0 … 1, as CSS means them
+  RotationOrder rotation_order = {0, 1, 2};  // of its Euler angles in the table
+};
+
+class Results {
+ public:
+  // directory: where to write (ResultsDirectory::path while the run goes); it is there already.
+  Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies);
+
+  // The next frame, its events before it. state: shape (13, bodies), rows as in base/state.hpp.
+  void frame(double time_s, std::span<const double> state);
+  void event(const Event& event);
+  int64_t frames() const { return frames_; }
+
+  // Closes the tables, writes the animation and the summary, and makes sure that all of it is on the disk.
+  // The number of frames is set here.
+  void finish(Summary summary);
+
+ private:
+  std::filesystem::path directory_;
+  StatesCsv states_;
+  EventsJsonl events_;
+  AnimationGlb animation_;
+  int64_t frames_ = 0;
+};
+
+}  // namespace animado::controle

@@ -1,0 +1,32 @@
+// states.csv: the motion as a table, a row a body a frame, numbers that read back to the same bits.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/euler.hpp"
+#include "controle/results/output_file.hpp"
+
+namespace animado::controle {
+
+class StatesCsv {
+ public:
+  struct Body {
+    std::string name;
+    RotationOrder rotation_order;  // of its Euler angles
+  };
+
+  StatesCsv(const std::filesystem::path& file, std::vector<Body> bodies);
+
+  // state: shape (13, bodies), rows as in base/state.hpp. In the file the angular velocity is in world axes.
+  void frame(int64_t frame, double time_s, std::span<const double> state);
+  void close() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace animado::controle
