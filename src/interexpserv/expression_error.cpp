@@ -1,0 +1,62 @@
+#include "interexpserv/expression_error.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace animado::interexpserv {
+namespace {
+
+constexpr size_t kShownBefore = 60, kShownAfter = 40;  // code points around the caret: a line of a terminal
+
+// The text cut into code points; line breaks and tabs would move the caret and become blanks.
+std::vector<std::string> code_points(std::string_view text) {
+  std::vector<std::string> points;
+  for (const char c : text) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+    const bool blank = static_cast<unsigned char>(c) < 0x20;
+    if (continues && !points.empty()) {
+      points.back() += c;
+    } else {
+      points.emplace_back(1, blank ? ' ' : c);
+    }
+  }
+  return points;
+}
+
+std::string with_caret(std::string_view text, size_t column) {
+  const std::vector<std::string> points = code_points(text);
+  const size_t first = column > kShownBefore ? column - kShownBefore : 0;
+  const size_t last = std::min(points.size(), column + kShownAfter);
+  std::string shown = first > 0 ? "…" : "";
+  std::string caret(first > 0 ? 1 : 0, ' ');
+  for (size_t i = first; i < last; ++i) shown += points[i];
+  if (last < points.size()) shown += "…";
+  caret += std::string(column - first, ' ') + "^";
+  return "  " + shown + "\n  " + caret;
+}
+
+}  // namespace
+
+ExpressionError::ExpressionError(Code code, std::string_view what_is_wrong, std::string_view text,
+                                 size_t column, std::string_view where, std::string remedy)
+    : Error(code, std::string(what_is_wrong) + "\n" + with_caret(text, column), std::string(where),
+            std::move(remedy)),
+      column_(column),
+      what_is_wrong_(what_is_wrong) {}
+
+ExpressionError::ExpressionError(Code code, const std::string& message, std::string_view where,
+                                 std::string remedy, size_t column, std::string_view what_is_wrong)
+    : Error(code, message, std::string(where), std::move(remedy)),
+      column_(column),
+      what_is_wrong_(what_is_wrong) {}
+
+ExpressionError ExpressionError::within(std::string_view definition, size_t column,
+                                        std::string_view where) const {
+  const std::string_view shown_text = std::string_view(message()).substr(what_is_wrong_.size());
+  const std::string prefix = "in the definition of `" + std::string(definition) + "`: ";
+  const bool innermost = !what_is_wrong_.starts_with("in the definition of ");
+  const std::string wrong = (innermost ? prefix : "") + what_is_wrong_;
+  return {code(), wrong + std::string(shown_text), where, remedy(), column, wrong};
+}
+
+}  // namespace animado::interexpserv
