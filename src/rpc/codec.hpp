@@ -50,6 +50,9 @@ void unpack(const Type& type, Decoder& in, void* value, std::string_view where);
 // One line for logs: name=value …, arrays as their shape, long lists as their length.
 void summarize(const Type& type, const void* value, std::string& out);
 
+// Appends text from outside so that a log line stays one line: control characters become '?'.
+void append_printable(std::string_view text, std::string& out);
+
 // JSON text of a value; numbers of arrays are written in full, NaN and infinity as null.
 std::string to_json(const Type& type, const void* value);
 // Throws Code::syntax for text that is not JSON, and what unpack throws.

@@ -88,6 +88,7 @@ struct Describe {
   struct FieldRow {
     std::string side, path, type, doc;
     bool required = false;
+    std::string initial;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("side", s.side, "request or reply");
@@ -96,6 +97,7 @@ struct Describe {
       field("type", s.type, "in words");
       field("doc", s.doc, "what it means");
       field("required", s.required, "whether it must be there");
+      field("initial", s.initial, "its value when it is left out", kDefault);
     }
   };
   struct Message {

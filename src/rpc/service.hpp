@@ -28,7 +28,8 @@ class Call {
   virtual std::span<const double> read(const Array& array) = 0;
   virtual std::span<double> write(const Array& array) = 0;  // shared only: bad_params otherwise
 
-  virtual void send_descriptor(int fd) = 0;  // with the reply; the service keeps its own copy
+  virtual void send_descriptor(int fd) = 0;          // with the reply; the service keeps its own copy
+  virtual UniqueFd take_descriptor() { return {}; }  // that came with the request, if any
 };
 
 class Service {

@@ -11,10 +11,9 @@ namespace {
 constexpr size_t kMaxText = 60;     // characters of a text that a log line shows
 constexpr size_t kMaxElements = 4;  // a longer list shows as its length
 
-// A log line stays one line, whatever a client sends.
 void append_text(std::string_view text, std::string& out) {
   out += '"';
-  for (char c : text.substr(0, kMaxText)) out += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+  append_printable(text.substr(0, kMaxText), out);
   out += text.size() > kMaxText ? "…\"" : "\"";
 }
 
@@ -89,6 +88,10 @@ void append_value(const Type& type, const void* value, std::string& out) {
 }
 
 }  // namespace
+
+void append_printable(std::string_view text, std::string& out) {
+  for (char c : text) out += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+}
 
 void summarize(const Type& type, const void* value, std::string& out) {
   type.kind == Type::Kind::record ? append_record(type, value, out) : append_value(type, value, out);

@@ -1,0 +1,161 @@
+#include "rpc/dispatcher.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iterator>
+
+#include "base/nearest_name.hpp"
+#include "rpc/manual_page.hpp"
+
+namespace animado::rpc {
+namespace {
+
+constexpr size_t kMaxShown = 40;  // characters of a name from outside that a log line or an error repeats
+
+Hello::Reply answer_hello(const Hello::Request& request, const std::string& service) {
+  if (request.protocol != kProtocolName || request.version != kProtocolVersion) {
+    throw Error(Code::protocol,
+                fmt::format("'{}' version {} is not spoken here", request.protocol.substr(0, kMaxShown),
+                            request.version),
+                service,
+                fmt::format("say hello with protocol '{}' and version {}", kProtocolName, kProtocolVersion));
+  }
+  return {service, ANIMADO_VERSION, kProtocolVersion, getpid()};
+}
+
+}  // namespace
+
+// --- the call
+
+std::span<double> ServedCall::pages(const Array& array) {
+  const std::span<double> all = suite_.arrays().open(array.shared).values();
+  const int64_t count = array.count();
+  const auto size = static_cast<int64_t>(all.size());
+  if (count < 0 || array.offset < 0 || count > size || array.offset > size - count) {
+    throw Error(Code::bad_shape,
+                fmt::format("{} numbers from {} do not fit into {}", count, array.offset, size), array.shared,
+                "give a shape and an offset inside the shared array");
+  }
+  return all.subspan(static_cast<size_t>(array.offset), static_cast<size_t>(count));
+}
+
+std::span<const double> ServedCall::read(const Array& array) {
+  if (array.is_shared()) return pages(array);
+  if (array.count() != static_cast<int64_t>(array.values.size())) {
+    throw Error(Code::bad_shape,
+                fmt::format("shape ({}) needs {} numbers, there are {}", fmt::join(array.shape, ", "),
+                            array.count(), array.values.size()),
+                {}, "give as many numbers as the shape asks for");
+  }
+  return array.values;
+}
+
+std::span<double> ServedCall::write(const Array& array) {
+  if (!array.is_shared()) {
+    throw Error(Code::bad_params, "a result cannot be written into an inline array", "out",
+                "name a shared array, or leave the field out to get the result in the reply");
+  }
+  return pages(array);
+}
+
+// --- the dispatcher
+
+Dispatcher::Dispatcher(Service& service, Suite& suite, Log& log)
+    : service_(service), suite_(suite), log_(log) {
+  add_common();
+}
+
+void Dispatcher::add_common() {
+  service_.on<Hello>(
+      [this](const Hello::Request& request) { return answer_hello(request, service_.name()); });
+  service_.on<Ping>([](const Nothing&) { return Nothing{}; });
+  service_.on<Statistics>([this](const Nothing&) {
+    Statistics::Reply reply{service_.name(), ANIMADO_VERSION, up_since_, getpid(),
+                            total_.requests, total_.errors,   {}};
+    for (const auto& [name, count] : counts_)
+      reply.messages.push_back({std::string(name), count.requests, count.errors});
+    return reply;
+  });
+  service_.on<Describe>([this](const Nothing&) {
+    Describe::Reply reply;
+    for (const auto& [name, entry] : service_.entries()) reply.messages.push_back(described(*entry.codec));
+    return reply;
+  });
+}
+
+const Service::Entry& Dispatcher::entry(std::string_view method) const {
+  if (const Service::Entry* found = service_.find(method)) return *found;
+  std::vector<std::string> known;
+  for (const auto& row : service_.entries()) known.push_back(row.first);
+  const std::string near = nearest_name(method, known);
+  throw Error(Code::unknown_method, fmt::format("there is no message '{}'", method.substr(0, kMaxShown)),
+              service_.name(),
+              fmt::format("{}messages: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+                          fmt::join(known, ", ")));
+}
+
+void Dispatcher::run(const Service::Entry& entry, const void* request, void* reply, const Marks& marks,
+                     Call& call) {
+  const auto start = Clock::now();
+  const auto finish = [&](const Error* error) {
+    Count& count = counts_[entry.codec->name];
+    ++count.requests;
+    ++total_.requests;
+    count.errors += error != nullptr;
+    total_.errors += error != nullptr;
+    write_line(*entry.codec, request, marks, start, error);
+  };
+  try {
+    entry.handler(request, reply, call);
+  } catch (const Error& error) {
+    finish(&error);
+    throw;
+  } catch (const std::exception& exception) {
+    const Error error(Code::internal, exception.what(),
+                      fmt::format("{}.{}", service_.name(), entry.codec->name),
+                      "this is a bug of the service: please report it with its log");
+    finish(&error);
+    throw error;
+  }
+  finish(nullptr);
+}
+
+void Dispatcher::refuse(std::string_view method, const Marks& marks, const Error& error) {
+  ++total_.requests;
+  ++total_.errors;
+  if (const Service::Entry* found = service_.find(method)) {
+    Count& count = counts_[found->codec->name];
+    ++count.requests;
+    ++count.errors;
+  }
+  const MessageCodec unread{method, {}, type_of<Nothing>(), type_of<Nothing>()};
+  const Nothing nothing;
+  write_line(unread, &nothing, marks, Clock::now(), &error);
+}
+
+void Dispatcher::write_line(const MessageCodec& codec, const void* request, const Marks& marks,
+                            Clock::time_point start, const Error* error) {
+  const LogLevel level = error ? LogLevel::warning : LogLevel::info;
+  if (!log_.enabled(level)) return;
+  const double micros = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+  trace_.clear();
+  append_printable(marks.trace.empty() ? "-" : marks.trace.substr(0, kMaxShown), trace_);
+  fmt::format_to(std::back_inserter(trace_), "#{}", marks.seq);
+  line_.clear();
+  append_printable(codec.name.substr(0, kMaxShown), line_);
+  line_ += ' ';
+  summarize(codec.request, request, line_);
+  if (line_.back() != ' ') line_ += ' ';
+  fmt::format_to(std::back_inserter(line_), "{:.1f} µs ", micros);
+  if (error) {
+    line_ += name_of(error->code());
+    line_ += ": ";
+    append_printable(error->what(), line_);
+  } else {
+    line_ += "ok";
+  }
+  log_.write(level, trace_, line_);
+}
+
+}  // namespace animado::rpc

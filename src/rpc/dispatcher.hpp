@@ -1,0 +1,80 @@
+// What serving a request is, whatever brought it: find the row, call the handler, count, log, and turn what
+// goes wrong into an error that a caller can read. Server brings requests from sockets, LocalSuite from this
+// process.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+#include "rpc/common.hpp"
+#include "rpc/decoder.hpp"
+#include "rpc/log.hpp"
+#include "rpc/service.hpp"
+#include "rpc/shared_array.hpp"
+
+namespace animado::rpc {
+
+// The call that a handler sees.
+class ServedCall final : public Call {
+ public:
+  ServedCall(ConnectionId connection, Suite& suite) : connection_(connection), suite_(suite) {}
+
+  ConnectionId connection() const override { return connection_; }
+  std::span<const double> read(const Array& array) override;
+  std::span<double> write(const Array& array) override;
+  void send_descriptor(int fd) override { outgoing_ = fd; }
+  UniqueFd take_descriptor() override { return std::move(incoming_); }
+
+  void set_incoming(UniqueFd fd) { incoming_ = std::move(fd); }
+  int outgoing() const { return outgoing_; }  // -1 when the handler sent none
+
+ private:
+  std::span<double> pages(const Array& array);
+
+  ConnectionId connection_;
+  Suite& suite_;
+  UniqueFd incoming_;
+  int outgoing_ = -1;
+};
+
+class Dispatcher {
+ public:
+  // Adds the messages that every service answers (common.hpp) to the table.
+  Dispatcher(Service& service, Suite& suite, Log& log);
+
+  Service& service() { return service_; }
+  Log& log() { return log_; }
+  Suite& suite() { return suite_; }
+
+  // The row of a message. Throws unknown_method with the nearest name.
+  const Service::Entry& entry(std::string_view method) const;
+
+  // Calls the handler. Throws Error and nothing else.
+  void run(const Service::Entry& entry, const void* request, void* reply, const Marks& marks, Call& call);
+
+  // For a request that never reached a handler: counts and logs it.
+  void refuse(std::string_view method, const Marks& marks, const Error& error);
+
+ private:
+  struct Count {
+    int64_t requests = 0, errors = 0;
+  };
+  using Clock = std::chrono::steady_clock;
+
+  void add_common();
+  void write_line(const MessageCodec& codec, const void* request, const Marks& marks, Clock::time_point start,
+                  const Error* error);
+
+  Service& service_;
+  Suite& suite_;
+  Log& log_;
+  Count total_;
+  std::map<std::string_view, Count> counts_;
+  std::string up_since_ = utc_now();
+  std::string line_, trace_;  // kept for their memory
+};
+
+}  // namespace animado::rpc

@@ -1,0 +1,96 @@
+#include "rpc/local_suite.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rpc/decoder.hpp"
+#include "rpc/encoder.hpp"
+
+namespace animado::rpc {
+namespace {
+
+constexpr ConnectionId kTheConnection = 1;  // the process has one to each service
+
+UniqueFd duplicate(int fd) {
+  return UniqueFd(fd < 0 ? -1 : fcntl(fd, F_DUPFD_CLOEXEC, 0));
+}
+
+}  // namespace
+
+LocalChannel::LocalChannel(std::unique_ptr<Service> service, std::unique_ptr<Log> log, Suite& suite,
+                           const std::string& trace, int64_t& seq)
+    : service_(std::move(service)),
+      log_(std::move(log)),
+      dispatcher_(*service_, suite, *log_),
+      trace_(trace),
+      seq_(seq) {
+  service_->notify = [this](ConnectionId, const MessageCodec& message, const void* request) {
+    notifications_.push_back({&message, {}});
+    Encoder out(notifications_.back().packed);
+    pack(message.request, request, out);
+    return true;
+  };
+}
+
+LocalChannel::~LocalChannel() {
+  if (service_->on_disconnect) service_->on_disconnect(kTheConnection);
+}
+
+void LocalChannel::give_descriptor(int fd) {
+  given_ = duplicate(fd);
+}
+
+void LocalChannel::exchange(const MessageCodec& message, const void* request, void* reply) {
+  ServedCall call(kTheConnection, dispatcher_.suite());
+  call.set_incoming(std::move(given_));
+  dispatcher_.run(dispatcher_.entry(message.name), request, reply, {trace_, ++seq_}, call);
+  received_ = duplicate(call.outgoing());
+}
+
+bool LocalChannel::next_notification(const MessageCodec& message, void* request, double) {
+  const auto is_wanted = [&](const Notification& notification) {
+    return notification.message->name == message.name;
+  };
+  const auto found = std::find_if(notifications_.begin(), notifications_.end(), is_wanted);
+  if (found == notifications_.end()) return false;
+  Decoder in(found->packed);
+  unpack(message.request, in, request, message.name);
+  notifications_.erase(found);
+  return true;
+}
+
+LocalSuite::LocalSuite(Options options) : options_(std::move(options)) {}
+LocalSuite::~LocalSuite() = default;
+
+Service& LocalSuite::add(std::unique_ptr<Service> service) {
+  const std::string name = service->name();
+  auto log = options_.logs.empty() ? std::make_unique<Log>()
+                                   : std::make_unique<Log>(name, options_.logs / (name + ".log"));
+  auto channel =
+      std::make_unique<LocalChannel>(std::move(service), std::move(log), *this, options_.trace, seq_);
+  const auto [at, added] = channels_.try_emplace(name, std::move(channel));
+  assert(added && "two services of one name");
+  return at->second->service();
+}
+
+Service& LocalSuite::add(const std::string& name, const std::function<void(Service&, Suite&)>& fill_table) {
+  auto service = std::make_unique<Service>(name);
+  fill_table(*service, *this);
+  return add(std::move(service));
+}
+
+Channel& LocalSuite::channel(std::string_view service) {
+  const auto found = channels_.find(service);
+  if (found != channels_.end()) return *found->second;
+  throw Error(Code::unavailable, fmt::format("{} is not linked into this process", service),
+              std::string(service), "run without --in-process, or add the service");
+}
+
+SharedArrays& LocalSuite::arrays() {
+  if (!arrays_) arrays_ = std::make_unique<SharedArrays>(channel("interexpserv"));
+  return *arrays_;
+}
+
+}  // namespace animado::rpc
