@@ -1,4 +1,5 @@
-// How far a run is, for whoever watches: a callback in the same process, or a line a frame on the descriptor of `controle
+// How far a run is, for whoever watches: a callback in the same process, or a line a frame on the descriptor
+// of `controle
 // --progress-fd`.
 #pragma once
 
@@ -23,13 +24,15 @@ using OnProgress = std::function<void(const Progress&)>;  // called at every fra
 
 // frame frames time_s end_s bodies steps impacts, and the line's end.
 inline std::string progress_line(const Progress& p) {
-  return fmt::format("{} {} {} {} {} {} {}\n", p.frame, p.frames, p.time_s, p.end_s, p.bodies, p.steps, p.impacts);
+  return fmt::format("{} {} {} {} {} {} {}\n", p.frame, p.frames, p.time_s, p.end_s, p.bodies, p.steps,
+                     p.impacts);
 }
 
 inline std::optional<Progress> parse_progress_line(const std::string& line) {
   Progress p;
-  const int read = std::sscanf(line.c_str(), "%" SCNd64 " %" SCNd64 " %lf %lf %" SCNd64 " %" SCNd64 " %" SCNd64, &p.frame,
-                               &p.frames, &p.time_s, &p.end_s, &p.bodies, &p.steps, &p.impacts);
+  const int read =
+      std::sscanf(line.c_str(), "%" SCNd64 " %" SCNd64 " %lf %lf %" SCNd64 " %" SCNd64 " %" SCNd64, &p.frame,
+                  &p.frames, &p.time_s, &p.end_s, &p.bodies, &p.steps, &p.impacts);
   return read == 7 ? std::optional(p) : std::nullopt;
 }
 

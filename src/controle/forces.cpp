@@ -1,0 +1,75 @@
+#include "controle/forces.hpp"
+
+#include "base/error.hpp"
+#include "base/state.hpp"
+
+namespace animado::controle {
+
+Forces::Forces(const Scene& scene, std::vector<Inertia> inertias, std::vector<Drive> drives)
+    : scene_(scene), inertias_(std::move(inertias)), drives_(std::move(drives)) {
+  for (const Body& body : scene.bodies) falls_.push_back(body.motion == Motion::dynamic);
+}
+
+Vec3 Forces::center_velocity(size_t body, const BodyState& state) const {
+  return state.velocity_m_s +
+         state.pose.orientation * state.angular_velocity_body_rad_s.cross(inertias_[body].center_of_mass_m);
+}
+
+void Forces::refuse(const Body& body, double time_s) const {
+  const Place place = !body.forces.empty()   ? body.forces.front().place
+                      : body.torques.empty() ? Place{}
+                                             : body.torques.front().place;
+  throw Error(Code::diverged,
+              fmt::format("the force or torque on `{}` is not finite at t = {:.9g} s", body.name, time_s),
+              scene_.where(place),
+              "Look for a division by zero, a root or a logarithm of a negative number, or a force that "
+              "grows with the motion it makes.");
+}
+
+Forces::Load Forces::load(const Drive& drive, const Moment& moment, const BodyState& body) const {
+  Load sum = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  const Quat& q = body.pose.orientation;
+  for (const LiveProgram& force : drive.forces) sum.force += force.vector(moment);
+  for (const LiveProgram& force : drive.local_forces) sum.force += q * force.vector(moment);
+  for (const LiveProgram& torque : drive.torques) sum.torque += torque.vector(moment);
+  for (const LiveProgram& torque : drive.local_torques) sum.torque += q * torque.vector(moment);
+  // Damping takes momentum away at the given rate: F = −d m v of the centre of mass, τ = −d I w.
+  const Inertia& inertia = inertias_[drive.body];
+  sum.damping_force = -drive.linear_damping_1_s * inertia.mass_kg * center_velocity(drive.body, body);
+  const Vec3 spin = inertia.inertia_kg_m2 * body.angular_velocity_body_rad_s;
+  sum.damping_torque = q * Vec3(-drive.angular_damping_1_s * spin);
+  return sum;
+}
+
+void Forces::evaluate(const Moment& moment, double* wrenches, Power* powers) const {
+  const size_t n = moment.bodies;
+  for (size_t k = 0; k < 3; ++k) {
+    const double g = scene_.world.gravity_m_s2[static_cast<int>(k)];
+    for (size_t i = 0; i < n; ++i) wrenches[k * n + i] = falls_[i] ? inertias_[i].mass_kg * g : 0.0;
+  }
+  std::fill(wrenches + 3 * n, wrenches + 6 * n, 0.0);
+  for (size_t d = 0; d < drives_.size(); ++d) {
+    const size_t i = drives_[d].body;
+    const BodyState body = load_body(moment.state, n, i);
+    const Load sum = load(drives_[d], moment, body);
+    const Vec3 force = sum.force + sum.damping_force, torque = sum.torque + sum.damping_torque;
+    if (!force.allFinite() || !torque.allFinite()) refuse(scene_.bodies[i], moment.time_s);
+    for (size_t k = 0; k < 3; ++k) {
+      wrenches[k * n + i] += force[static_cast<int>(k)];
+      wrenches[(3 + k) * n + i] += torque[static_cast<int>(k)];
+    }
+    const Vec3 v = center_velocity(i, body), w = body.angular_velocity_rad_s();
+    powers[d] = {sum.force.dot(v) + sum.torque.dot(w),
+                 -(sum.damping_force.dot(v) + sum.damping_torque.dot(w))};
+  }
+}
+
+Work Forces::work(size_t drive, const Moment& start, const Vec3& center_displacement_m,
+                  const Vec3& rotation_rad) const {
+  const BodyState body = load_body(start.state, start.bodies, drives_[drive].body);
+  const Load sum = load(drives_[drive], start, body);
+  return {sum.force.dot(center_displacement_m) + sum.torque.dot(rotation_rad),
+          -(sum.damping_force.dot(center_displacement_m) + sum.damping_torque.dot(rotation_rad))};
+}
+
+}  // namespace animado::controle

@@ -1,0 +1,60 @@
+// What pushes the bodies: gravity, damping, the expressions of the scene. Contact is not here.
+#pragma once
+
+#include <vector>
+
+#include "controle/equations_of_motion.hpp"
+#include "controle/live_program.hpp"
+
+namespace animado::controle {
+
+// One body's forces and torques other than gravity. Repeated lines add up.
+struct Drive {
+  size_t body = 0;
+  std::vector<LiveProgram> forces, torques, local_forces, local_torques;
+  double linear_damping_1_s = 0, angular_damping_1_s = 0;
+};
+
+// The rate at which a drive's expressions do work, and that at which its damping takes energy away.
+struct Power {
+  double work_W = 0, damping_W = 0;
+};
+
+// Their integrals over a time.
+struct Work {
+  double done_J = 0, damped_J = 0;
+};
+
+class Forces {
+ public:
+  Forces(const Scene& scene, std::vector<Inertia> inertias, std::vector<Drive> drives);
+
+  size_t driven() const { return drives_.size(); }
+  size_t body_of(size_t drive) const { return drives_[drive].body; }
+
+  void replace(std::vector<Drive> drives) { drives_ = std::move(drives); }  // after a live edit
+
+  // Wrenches (6, N): force through the centre of mass and torque about it, world axes. powers: one a drive.
+  // Throws Error diverged when an expression is not finite.
+  void evaluate(const Moment& moment, double* wrenches, Power* powers) const;
+
+  // Work of one drive along a given small motion, under its forces at the start.
+  Work work(size_t drive, const Moment& start, const Vec3& center_displacement_m,
+            const Vec3& rotation_rad) const;
+
+ private:
+  struct Load {
+    Vec3 force, torque;  // of the expressions, world
+    Vec3 damping_force, damping_torque;
+  };
+  Load load(const Drive& drive, const Moment& moment, const BodyState& body) const;
+  [[noreturn]] void refuse(const Body& body, double time_s) const;
+  Vec3 center_velocity(size_t body, const BodyState& state) const;
+
+  const Scene& scene_;
+  std::vector<Inertia> inertias_;
+  std::vector<bool> falls_;
+  std::vector<Drive> drives_;
+};
+
+}  // namespace animado::controle

@@ -1,0 +1,78 @@
+// The motion of all bodies as if nothing touched: for each stage of the method the forces are evaluated,
+// egesp solves for the accelerations, fred makes the next stage (design, section 5, step 2). The numbers stay
+// in shared arrays; the messages name them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/state.hpp"
+#include "controle/equations_of_motion.hpp"
+#include "controle/forces.hpp"
+#include "controle/kinematics.hpp"
+#include "controle/meter.hpp"
+#include "controle/workspace.hpp"
+#include "egesp/protocol.hpp"
+#include "fred/protocol.hpp"
+#include "rpc/channel.hpp"
+
+namespace animado::controle {
+
+// Adds the forces of elastic contact at a stage (response spring).
+class ContactForces {
+ public:
+  virtual ~ContactForces() = default;
+  virtual double add(const Lanes& state, double* wrenches) = 0;  // returns their power, W
+};
+
+class FreeMotion {
+ public:
+  FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, const std::string& method,
+             const EquationsOfMotion& equations, const Forces& forces, const Kinematics& kinematics,
+             ContactForces* contact_forces);
+
+  Lanes make_state(const std::string& name);  // a shared array of shape (13, N)
+
+  // Puts the kinematic bodies of a state where they are at time_s.
+  void place_kinematic(const Lanes& state, double time_s) const {
+    kinematics_.place(state.values, bodies_, time_s);
+  }
+
+  // Moves `from`, the state at time_s, by step_s into `to`. Throws Error diverged when the motion leaves the
+  // finite.
+  void step(const Lanes& from, double time_s, double step_s, const Lanes& to);
+
+  // The energies of the last step, by the method's own quadrature over its stages: of each drive, and of
+  // elastic contact.
+  std::vector<Work> work() const;
+  double contact_work_J() const;
+
+  // Of the last step's start, (6, N): acceleration of the frame's origin (world) and angular (body axes).
+  rpc::Array start_accelerations() const;
+  int order() const { return order_; }  // of convergence of the method
+
+ private:
+  void rates(const Lanes& state, double time_s, size_t stage);
+  void normalize(double* state) const;
+
+  size_t bodies_;
+  int order_ = 0;
+  egesp::Solve::Request solve_;
+  fred::Stage::Request stage_;
+  std::vector<double> nodes_, weights_;
+  rpc::Channel &egesp_, &fred_;
+  Workspace& workspace_;
+  Meter& meter_;
+  const EquationsOfMotion& equations_;
+  const Forces& forces_;
+  const Kinematics& kinematics_;
+  ContactForces* contact_forces_;
+  Lanes right_sides_, accelerations_, rates_, stage_state_;
+  std::vector<double> wrenches_;
+  std::vector<std::vector<Power>> powers_;  // of each stage of the last step
+  std::vector<double> contact_powers_W_;
+  double step_s_ = 0;
+};
+
+}  // namespace animado::controle

@@ -1,0 +1,115 @@
+#include "controle/run.hpp"
+
+#include <chrono>
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "controle/live_names.hpp"
+#include "controle/overlap.hpp"
+#include "controle/results/results.hpp"
+#include "controle/simulation.hpp"
+
+namespace animado::controle {
+namespace {
+
+std::vector<ResultBody> result_bodies(const Scene& scene) {
+  std::vector<ResultBody> bodies;
+  for (const Body& body : scene.bodies) {
+    bodies.push_back({body.name,
+                      body.shape,
+                      body.motion,
+                      {body.color.r, body.color.g, body.color.b},
+                      body.rotation_order});
+  }
+  return bodies;
+}
+
+template <class T>
+uint64_t hash_of(T content) {
+  Fnv1a hash;
+  hash.add(content);
+  return hash.value();
+}
+
+Momentum momentum(const Balance& balance) {
+  return {balance.linear_momentum_kg_m_s, balance.angular_momentum_kg_m2_s};
+}
+
+// What the summary can say before the first frame.
+Summary opening(const Scene& scene, Simulation& simulation) {
+  Summary summary;
+  summary.scene = scene.path;
+  summary.scene_hash = hash_of(std::string_view(scene.text));
+  summary.bodies = static_cast<int64_t>(scene.bodies.size());
+  const Balance start = simulation.balance();
+  summary.energy.initial_J = start.energy_J();
+  summary.momentum_initial = momentum(start);
+  return summary;
+}
+
+void close(Summary& summary, Simulation& simulation, double wall_time_s) {
+  const Stepper& stepper = simulation.stepper();
+  const Balance end = simulation.balance();
+  const double initial_J = summary.energy.initial_J;
+  summary.energy = stepper.flows();
+  summary.energy.initial_J = initial_J;
+  summary.energy.final_J = end.energy_J();
+  summary.momentum_final = momentum(end);
+  summary.steps = stepper.counts().steps;
+  summary.impacts = stepper.counts().impacts;
+  summary.state_hash = hash_of(std::span(stepper.state(), kStateRows * simulation.scene().bodies.size()));
+  summary.wall_time_s = wall_time_s;
+  double elsewhere_s = 0;
+  for (const auto& [module, share] : simulation.meter().shares()) {
+    summary.time_per_module_s.emplace_back(module, share.seconds);
+    summary.messages_per_module.emplace_back(module, share.messages);
+    elsewhere_s += share.seconds;
+  }
+  summary.time_per_module_s.emplace_back("controle", wall_time_s - elsewhere_s);
+}
+
+}  // namespace
+
+Summary run(const RunOptions& options, rpc::Suite& suite) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto wall_time_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const Scene scene = read_scene(options.scene);
+  refuse_overlap(scene, suite);
+
+  Results results(options.directory, result_bodies(scene));
+  Simulation simulation(scene, suite, options.name, [&](const Event& event) { results.event(event); });
+  LiveNames names(suite, simulation, options.name, [&](const Event& event) { results.event(event); });
+  Stepper& stepper = simulation.stepper();
+  Summary summary = opening(scene, simulation);
+
+  const std::vector<double> times = scene.time.frame_times();
+  const auto finish = [&](RunStatus status) {
+    summary.status = status;
+    close(summary, simulation, wall_time_s());
+    results.finish(summary);
+    summary.frames = results.frames();
+  };
+  try {
+    for (size_t frame = 0; frame < times.size(); ++frame) {
+      if (frame > 0) stepper.advance_to(times[frame]);
+      results.frame(times[frame], {stepper.state(), kStateRows * scene.bodies.size()});
+      names.frame();
+      const auto count = [](auto value) { return static_cast<int64_t>(value); };
+      options.progress({count(frame + 1), count(times.size()), times[frame], times.back(),
+                        count(scene.bodies.size()), stepper.counts().steps, stepper.counts().impacts});
+      if (options.stop()) {
+        finish(RunStatus::interrupted);
+        return summary;
+      }
+    }
+  } catch (const Error& error) {
+    finish(error.code() == Code::diverged ? RunStatus::diverged : RunStatus::interrupted);
+    throw;
+  }
+  finish(RunStatus::done);
+  return summary;
+}
+
+}  // namespace animado::controle

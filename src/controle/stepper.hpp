@@ -1,0 +1,87 @@
+// Steps time (design, section 5): free motion, then contact, then what met on the way, answered at its time.
+//
+// Two regimes, one rule. An impact is an event: located within the step, everything is brought to its time,
+// it is answered there, and the rest of the step is run again from the new velocities. Continuous contact is
+// a constraint: colisao advances the islands in contact from the same start and the same accelerations, and
+// what touches nothing keeps fred's result. When a step has more events than kMostEventsAStep, it is crowded:
+// colisao takes the impacts inside the islands too.
+#pragma once
+
+#include <functional>
+#include <set>
+
+#include "base/state.hpp"
+#include "colisao/client.hpp"
+#include "controle/contact_forces.hpp"
+#include "controle/free_motion.hpp"
+#include "controle/results/events_jsonl.hpp"
+#include "controle/results/ledger.hpp"
+#include "controle/scene/scene.hpp"
+#include "controle/step_size.hpp"
+
+namespace animado::controle {
+
+struct Counts {
+  int64_t steps = 0, impacts = 0, crowded_steps = 0;
+};
+
+class Stepper {
+ public:
+  using Report = std::function<void(const Event&)>;
+
+  Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMotion& motion, const Forces& forces,
+          colisao::Client& colisao, Meter& meter, Report report);
+
+  // Moves the state to the next frame.
+  void advance_to(double end_s);
+
+  double time_s() const { return time_s_; }
+  const double* state() const { return now_.values; }
+  const Lanes& lanes() const { return now_; }
+  const Counts& counts() const { return counts_; }
+
+  // The ledger's flows so far; initial and final energies are the caller's.
+  const EnergyLedger& flows() const { return flows_; }
+
+ private:
+  using Pair = std::pair<int64_t, int64_t>;
+
+  void step(double end_s);
+  void move(double step_s, bool crowded);
+  void correct_work();
+  colisao::Sweep::Reply sweep(double step_s);
+  double move_to_impact(double step_s, const colisao::Sweep::Reply& hit);
+  std::optional<colisao::ContactRecord> nearest_contact(int64_t a, int64_t b);
+  void accept(double end_s);
+  void book(double dissipated_impact_J, double dissipated_friction_J);
+  void respond();
+  void record(const std::vector<colisao::ImpactRecord>& impacts);
+  void follow_contacts();
+  void check_finite() const;
+
+  std::vector<std::string> names(int64_t a, int64_t b) const;
+
+  const Scene& scene_;
+  std::span<const Inertia> inertias_;
+  FreeMotion& motion_;
+  const Forces& forces_;
+  colisao::Client& colisao_;
+  Meter& meter_;
+  Report report_;
+  StepSize step_size_;
+  size_t bodies_;
+  bool collides_;  // impacts and contacts are answered (response spring answers by forces)
+  double time_s_;
+  Lanes now_, next_, free_;
+  colisao::Advance::Reply
+      pending_;              // what the last move did to the islands: it counts once the move is accepted
+  std::vector<Work> work_;   // of each drive in the last move, likewise
+  bool near_ = true;         // bodies are so near that contact is worth asking about
+  bool in_contact_ = false;  // the last move had islands in contact
+  int64_t contacts_ = 0;     // their contact points
+  std::set<Pair> touching_;
+  Counts counts_;
+  EnergyLedger flows_;
+};
+
+}  // namespace animado::controle
