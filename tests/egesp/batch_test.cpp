@@ -1,0 +1,160 @@
+// src/egesp/batch.cpp and lanes.cpp: every instruction set gives the bits of the scalar elimination, in
+// either layout, and refused systems leave their neighbours alone.
+#include "egesp/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "egesp/gauss_jordan.hpp"
+#include "systems.hpp"
+
+namespace animado::egesp {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+struct Systems {
+  size_t count, n, m;
+  bool interleaved;
+  std::vector<double> a, b, x;
+
+  Systems(size_t count_, size_t n_, size_t m_, bool interleaved_, Uniform& uniform)
+      : count(count_),
+        n(n_),
+        m(m_),
+        interleaved(interleaved_),
+        a(random_numbers(uniform, count * n * n)),
+        b(random_numbers(uniform, count * n * m)),
+        x(b.size()) {}
+
+  size_t at(size_t system, size_t element, size_t size) const {
+    return interleaved ? element * count + system : system * size + element;
+  }
+  std::vector<double> one(const std::vector<double>& all, size_t system) const {
+    std::vector<double> numbers(all.size() / count);
+    for (size_t e = 0; e < numbers.size(); ++e) numbers[e] = all[at(system, e, numbers.size())];
+    return numbers;
+  }
+  std::vector<Refusal> solve(InstructionSet instructions, PivotRule rule = {}) {
+    return solve_batch({a, b, x, count, n, m, interleaved}, rule, instructions);
+  }
+};
+
+std::vector<uint64_t> bits(const std::vector<double>& numbers) {
+  std::vector<uint64_t> raw;
+  for (double v : numbers) raw.push_back(std::bit_cast<uint64_t>(v));
+  return raw;
+}
+
+class EveryInstructionSet : public testing::TestWithParam<InstructionSet> {
+ protected:
+  void SetUp() override {
+    if (GetParam() > widest_instruction_set()) GTEST_SKIP() << "not on this machine";
+  }
+};
+
+constexpr const char* kNames[] = {"scalar", "sse2", "avx2", "avx512"};
+INSTANTIATE_TEST_SUITE_P(, EveryInstructionSet,
+                         testing::Values(InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2,
+                                         InstructionSet::avx512),
+                         [](const auto& tested) { return kNames[static_cast<size_t>(tested.param)]; });
+
+// Sizes with a kernel of their own, sizes without, the largest, and one beyond; batches that end inside a
+// register.
+TEST_P(EveryInstructionSet, GivesTheBitsOfGaussJordan) {
+  Uniform uniform;
+  for (size_t n : {1, 2, 3, 6, 7, 15, 16, 32, 33}) {
+    for (size_t m : {1, 4}) {
+      for (bool interleaved : {false, true}) {
+        Systems systems(77, n, m, interleaved, uniform);
+        ASSERT_TRUE(systems.solve(GetParam()).empty());
+        for (size_t s = 0; s < systems.count; ++s) {
+          auto a = systems.one(systems.a, s), b = systems.one(systems.b, s);
+          gauss_jordan(a, b, n, m, {});
+          ASSERT_EQ(bits(systems.one(systems.x, s)), bits(b)) << "n " << n << " m " << m << " system " << s;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(EveryInstructionSet, TiesGoToTheFirstRow) {
+  Uniform uniform;
+  for (size_t n : {3, 6, 15}) {
+    Systems systems(16, n, 1, true, uniform);
+    for (double& v : systems.a) v = v < -0.2 ? -1 : v > 0.2 ? 1 : 0.5;  // many elements of the same magnitude
+    systems.solve(GetParam());
+    for (size_t s = 0; s < systems.count; ++s) {
+      auto a = systems.one(systems.a, s), b = systems.one(systems.b, s);
+      if (gauss_jordan(a, b, n, 1, {}).solved()) {
+        ASSERT_EQ(bits(systems.one(systems.x, s)), bits(b));
+      }
+    }
+  }
+}
+
+TEST_P(EveryInstructionSet, ManySystemsFit) {
+  Uniform uniform;
+  Systems systems(3000, 6, 1, true, uniform);
+  ASSERT_TRUE(systems.solve(GetParam()).empty());
+  for (size_t s = 0; s < systems.count; ++s) {
+    const auto a = systems.one(systems.a, s), b = systems.one(systems.b, s), x = systems.one(systems.x, s);
+    ASSERT_LT(backward_error(a.data(), b.data(), x.data(), 6, 1), 4 * kUnit) << s;
+  }
+}
+
+TEST_P(EveryInstructionSet, RefusedSystemsAreNamedAndSpoilNoOther) {
+  Uniform uniform;
+  for (size_t n : {6, 9}) {
+    Systems good(1030, n, 1, true, uniform);
+    Systems spoilt = good;
+    const auto at = [&](size_t s, size_t i, size_t j) -> double& {
+      return spoilt.a[(i * n + j) * spoilt.count + s];
+    };
+    for (size_t j = 0; j < n; ++j) at(5, 3, j) = at(5, 1, j);  // two rows alike: the last pivot is lost
+    for (size_t i = 0; i < n; ++i) at(700, i, 0) = 0;          // an empty column: the first is
+    at(1029, 2, 2) = std::nan("");
+    spoilt.b[8] = HUGE_VAL;  // system 8, first equation
+    good.solve(GetParam());
+    const auto refusals = spoilt.solve(GetParam());
+
+    ASSERT_EQ(refusals.size(), 4u);
+    EXPECT_EQ(refusals[0].system, 5u);
+    EXPECT_EQ(refusals[0].pivot, n - 1);
+    EXPECT_EQ(refusals[1].system, 8u);
+    EXPECT_EQ(refusals[2].system, 700u);
+    EXPECT_EQ(refusals[2].pivot, 0u);
+    EXPECT_EQ(refusals[3].system, 1029u);
+    for (size_t s = 0; s < good.count; ++s) {
+      const bool refused = s == 5 || s == 8 || s == 700 || s == 1029;
+      if (refused) {
+        EXPECT_TRUE(std::isnan(spoilt.one(spoilt.x, s)[0]));
+      } else {
+        ASSERT_EQ(bits(spoilt.one(spoilt.x, s)), bits(good.one(good.x, s))) << s;
+      }
+    }
+  }
+}
+
+TEST_P(EveryInstructionSet, ThresholdAndCompletePivotingReachTheSolver) {
+  Uniform uniform;
+  Systems systems(9, 6, 1, false, uniform);
+  for (size_t i = 0; i < 6; ++i) {
+    for (size_t j = 0; j < 6; ++j) systems.a[3 * 36 + i * 6 + j] = i == j ? (i == 4 ? 1e-5 : 1.0) : 0.0;
+  }
+  EXPECT_TRUE(systems.solve(GetParam()).empty());
+  const auto refusals = systems.solve(GetParam(), {.complete = false, .threshold = 1e-4});
+  ASSERT_FALSE(refusals.empty());
+  const auto found = std::ranges::find(refusals, size_t{3}, &Refusal::system);
+  ASSERT_NE(found, refusals.end());
+  EXPECT_EQ(found->pivot, 4u);
+  EXPECT_EQ(systems.solve(GetParam(), {.complete = true, .threshold = 0}).size(), 0u);
+}
+
+TEST(Batch, AnEmptyBatchIsSolved) {
+  EXPECT_TRUE(solve_batch({{}, {}, {}, 0, 6, 1, true}, {}).empty());
+}
+
+}  // namespace
+}  // namespace animado::egesp
