@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/shape.hpp"
+#include "colisao/feature.hpp"
 
 namespace animado::colisao {
 
@@ -28,5 +29,8 @@ struct Polyhedron {
 // do not look outward, or the solid is not convex. Planarity and convexity to 1e-9 of the extent.
 Polyhedron make_polyhedron(const Box& box);
 Polyhedron make_polyhedron(const Hull& hull);
+
+// The face, edge or vertex that faces a unit direction within an angle.
+Feature feature_of(const Polyhedron& polyhedron, const Vec3& direction, double tolerance_rad);
 
 }  // namespace animado::colisao

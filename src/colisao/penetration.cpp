@@ -1,0 +1,108 @@
+#include "colisao/penetration.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "colisao/gjk.hpp"
+
+namespace animado::colisao {
+namespace {
+
+constexpr int kMostSteps = 64;
+constexpr size_t kStarts = 6;  // the best of the start directions, from which it climbs
+constexpr double kLift =
+    1.0 / 128;  // how far A is moved away from B, of the smaller size: little, to keep what is nearest
+
+double size_of(const Placed& a, const Placed& b) {
+  return std::min(a.solid.size_m(), b.solid.size_m());
+}
+
+double separation_along(const Placed& a, const Placed& b, const Vec3& normal) {
+  return normal.dot(a.core_support(-normal) - b.core_support(normal));
+}
+
+// Where the best axis of curved solids may lie: the normals of faces, the axes of revolution, the line of the
+// centres, and what is perpendicular to two of them.
+std::vector<Vec3> start_directions(const Placed& a, const Placed& b) {
+  std::vector<Vec3> starts, axes;
+  const Vec3 line = a.position_m - b.position_m;
+  if (line.norm() > 0) starts.push_back(line.normalized());
+  for (const Placed* s : {&b, &a}) {
+    if (const Polyhedron* p = s->solid.polyhedron()) {
+      for (const Polyhedron::Face& face : p->faces) {
+        const Vec3 outward = s->rotation * face.normal;
+        starts.push_back(s == &b ? outward : Vec3(-outward));
+      }
+      for (const Polyhedron::Edge& e : p->edges) {
+        axes.push_back(s->rotation *
+                       (p->vertices_m[static_cast<size_t>(e.to)] - p->vertices_m[static_cast<size_t>(e.from)])
+                           .normalized());
+      }
+    } else {
+      axes.push_back(s->rotation.col(1));
+      for (int k = 0; k < 3; ++k) {
+        starts.push_back(s->rotation.col(k));
+        starts.push_back(-s->rotation.col(k));
+      }
+    }
+  }
+  for (const Vec3& axis : axes) {
+    const Vec3 across = line - axis.dot(line) * axis;
+    if (across.norm() > 1e-9 * line.norm()) starts.push_back(across.normalized());
+  }
+  for (size_t i = 0; i < axes.size(); ++i) {
+    for (size_t j = i + 1; j < axes.size(); ++j) {
+      const Vec3 cross = axes[i].cross(axes[j]);
+      if (cross.norm() < 1e-9) continue;
+      starts.push_back(cross.normalized());
+      starts.push_back(-cross.normalized());
+    }
+  }
+  return starts;
+}
+
+}  // namespace
+
+Separation ascend(const Placed& a, const Placed& b, const Vec3& normal) {
+  const double lift = kLift * size_of(a, b);
+  Separation best{separation_along(a, b, normal), normal, a.core_support(-normal), b.core_support(normal)};
+  double from = best.separation_m;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vec3 shift = (lift + std::max(0.0, -best.separation_m)) * best.normal;
+    const CoreDistance d = core_distance(a, b, shift, best.normal);
+    if (d.overlap) break;
+    const Vec3 next = d.separation.normalized();
+    const double separation = separation_along(a, b, next);
+    const double turn = (next - best.normal).norm();
+    if (step == 0 || separation >= best.separation_m) {
+      best = {separation, next, d.point_a_m - shift, d.point_b_m};
+    }
+    if (turn < 1e-9 || (step > 0 && separation <= from)) break;
+    from = separation;
+  }
+  return best;
+}
+
+Separation penetration(const Placed& a, const Placed& b) {
+  if (a.solid.polyhedron() && b.solid.polyhedron()) {
+    const Axis axis = separating_axis(a, b);
+    const double lift = kLift * size_of(a, b);
+    const Vec3 shift = (lift - axis.separation_m) * axis.normal;
+    const CoreDistance d = core_distance(a, b, shift, axis.normal);
+    return {axis.separation_m, axis.normal, d.point_a_m - shift, d.point_b_m};
+  }
+  std::vector<Vec3> starts = start_directions(a, b);
+  std::vector<std::pair<double, size_t>> order;
+  for (size_t i = 0; i < starts.size(); ++i) order.emplace_back(-separation_along(a, b, starts[i]), i);
+  std::sort(order.begin(), order.end());
+  order.resize(std::min(order.size(), kStarts));
+
+  Separation best = ascend(a, b, starts[order[0].second]);
+  for (size_t k = 1; k < order.size(); ++k) {
+    const Separation other = ascend(a, b, starts[order[k].second]);
+    if (other.separation_m > best.separation_m) best = other;
+  }
+  return best;
+}
+
+}  // namespace animado::colisao
