@@ -1,0 +1,60 @@
+// controle: steps a scene's time with the other modules, which it finds through interexpserv. `animado run` starts it.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+
+#include "base/error.hpp"
+#include "controle/run.hpp"
+#include "rpc/socket_suite.hpp"
+
+namespace {
+
+using namespace animado;
+
+volatile std::sig_atomic_t stop_asked = 0;
+
+int exit_code(Code code) {
+  if (code == Code::diverged) return 4;
+  const bool lost = code == Code::unavailable || code == Code::protocol || code == Code::internal;
+  return lost ? 5 : 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "controle: reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado run` starts the five together.\n"
+      "\nExample: controle --scene scenes/colisao.animado --out runs/colisao --socket-dir $XDG_RUNTIME_DIR/animado/colisao");
+  controle::RunOptions options;
+  rpc::SocketSuite::Options suite_options;
+  int progress_fd = -1;
+  app.set_version_flag("--version", ANIMADO_VERSION);
+  app.add_option("--scene", options.scene, "the scene's file")->required();
+  app.add_option("--out", options.directory, "directory for the results; it must be there")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--socket-dir", suite_options.directory, "directory of the run's sockets");
+  app.add_option("--progress-fd", progress_fd, "descriptor for a line of progress at each frame");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_asked = 1; });
+  std::signal(SIGPIPE, SIG_IGN);  // who stops reading the progress does not stop the run
+  options.stop = [] { return stop_asked != 0; };
+  options.name = "run/" + std::to_string(getpid());
+  options.progress = [&](const controle::Progress& progress) {
+    const std::string line = progress_line(progress);
+    if (progress_fd >= 0 && write(progress_fd, line.data(), line.size()) < 0) progress_fd = -1;
+  };
+  suite_options.client = "controle";
+  suite_options.trace = std::to_string(getpid());
+  try {
+    rpc::SocketSuite suite(suite_options);
+    return controle::run(options, suite).status == controle::RunStatus::interrupted ? 130 : 0;
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return exit_code(error.code());
+  }
+}
