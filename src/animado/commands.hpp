@@ -1,0 +1,32 @@
+// The subcommands of `animado`, one a file. Each adds itself to the program; when it is chosen, its work
+// happens during parsing, and what it returns becomes the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "animado/exit_code.hpp"
+
+namespace animado {
+
+struct CommandLine {
+  CLI::App app;
+  ExitCode exit_code = kDone;
+};
+
+// A subcommand whose --help opens with examples of its use.
+CLI::App& add_command(CommandLine& line, const std::string& name, const std::string& description,
+                      const std::string& examples);
+
+void add_run_command(CommandLine& line);
+void add_check_command(CommandLine& line);
+void add_ps_command(CommandLine& line);
+void add_ping_command(CommandLine& line);
+void add_get_command(CommandLine& line);
+void add_set_command(CommandLine& line);
+void add_eval_command(CommandLine& line);
+void add_watch_command(CommandLine& line);
+void add_call_command(CommandLine& line);
+void add_protocol_command(CommandLine& line);
+
+}  // namespace animado

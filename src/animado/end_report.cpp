@@ -1,0 +1,56 @@
+#include "animado/end_report.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "animado/terminal.hpp"
+#include "base/error.hpp"
+
+namespace animado {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string counted(int64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string energy_text(const Json& energy) {
+  std::string text = fmt::format("{:.6g} J at the start, {:.6g} J at the end",
+                                 energy.at("initial").get<double>(), energy.at("final").get<double>());
+  constexpr std::array<std::pair<const char*, const char*>, 4> kFlows = {
+      {{"work_in", "work put in"},
+       {"dissipated_impacts", "lost in impacts"},
+       {"dissipated_friction", "lost to friction"},
+       {"dissipated_damping", "lost to damping"}}};
+  for (const auto& [key, words] : kFlows) {
+    const double joules = energy.at(key).get<double>();
+    if (joules != 0) text += fmt::format(", {:.6g} J {}", joules, words);
+  }
+  return text + fmt::format("; unaccounted for: {:.2g} J", energy.at("residual").get<double>());
+}
+
+}  // namespace
+
+std::string end_report(const std::filesystem::path& directory) try {
+  const auto file = directory / "summary.json";
+  std::ifstream in(file);
+  if (!in) throw Error(Code::unavailable, "cannot read " + file.string());
+  const Json summary = Json::parse(in);
+  const auto status = summary.at("status").get<std::string>();
+  const auto paint = status == "done" ? Paint::green : Paint::red;
+  return fmt::format("{}: {} of {} in {} and {:.3g} s; {}\n", painted(status, paint),
+                     counted(summary.at("frames").get<int64_t>(), "frame", "frames"),
+                     counted(summary.at("bodies").get<int64_t>(), "body", "bodies"),
+                     counted(summary.at("steps").get<int64_t>(), "step", "steps"),
+                     summary.at("wall_time_s").get<double>(),
+                     counted(summary.at("impacts").get<int64_t>(), "impact", "impacts")) +
+         fmt::format("energy: {}\n", energy_text(summary.at("energy"))) +
+         fmt::format("state hash {}\n", summary.at("state_hash").get<std::string>());
+} catch (const Json::exception& error) {
+  throw Error(Code::unavailable, std::string("the summary cannot be read: ") + error.what(),
+              (directory / "summary.json").string());
+}
+
+}  // namespace animado

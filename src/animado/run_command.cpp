@@ -1,0 +1,117 @@
+// animado run: a scene from its file to its results.
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "animado/commands.hpp"
+#include "animado/end_report.hpp"
+#include "animado/progress_display.hpp"
+#include "animado/run_ways.hpp"
+#include "animado/scene_check.hpp"
+#include "animado/terminal.hpp"
+#include "controle/results/results_directory.hpp"
+
+namespace animado {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kExamples =
+    "  animado run scenes/colisao.animado                results in runs/colisao/\n"
+    "  animado run scenes/colisao.animado --out tonight  results in tonight/\n"
+    "  animado run scenes/colisao.animado --in-process   one process instead of five: the same bits\n"
+    "  animado run scenes/colisao.animado --json         the summary as JSON on stdout\n\n"
+    "Exit codes: 0 done, 2 usage, 3 scene refused, 4 the motion diverged, 5 a service was lost, 130 "
+    "interrupted.\n";
+
+struct Options {
+  std::string scene, out, name;
+  bool in_process = false, quiet = false, json = false, keep_services = false;
+};
+
+ProgressDisplay::Style style(const Options& options) {
+  if (options.quiet) return ProgressDisplay::Style::silent;
+  return stderr_is_terminal() ? ProgressDisplay::Style::terminal : ProgressDisplay::Style::lines;
+}
+
+// A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
+void finish(const Options& options, controle::ResultsDirectory& results, ExitCode code) {
+  if (code != kLost && fs::exists(results.path() / "summary.json")) {
+    results.commit();
+    const fs::path shown = fs::proximate(results.final_path());
+    if (!options.quiet) print_note(end_report(results.final_path()) + "results in " + shown.string());
+    if (options.json) std::cout << std::ifstream(results.final_path() / "summary.json").rdbuf() << std::flush;
+  } else {
+    print_note("no results; the logs are in " + fs::proximate(results.logs()).string());
+  }
+}
+
+ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
+  ProgressDisplay display(style(options), stderr, std::chrono::steady_clock::now());
+  RunRequest request{options.scene, results.path(), options.name, options.keep_services, {}};
+  request.on_progress = [&](const controle::Progress& p) {
+    display.show(p, std::chrono::steady_clock::now());
+  };
+  if (options.in_process) {
+    const ExitCode code = run_in_process(request);
+    display.clear();
+    finish(options, results, code);
+    return code;
+  }
+  return run_with_services(request, [&](ExitCode code) {
+    display.clear();
+    finish(options, results, code);
+    return fs::exists(results.logs()) ? results.logs() : results.final_path() / "logs";
+  });
+}
+
+ExitCode run(Options options) {
+  try {
+    check_scene(options.scene);
+  } catch (const Error& error) {
+    print_error(error);
+    return kRefused;
+  }
+  const std::string stem = fs::path(options.scene).stem().string();
+  if (options.out.empty()) options.out = fs::path("runs") / stem;
+  if (options.name.empty()) options.name = fmt::format("{}-{}", stem, getpid());
+
+  std::optional<controle::ResultsDirectory> results;
+  try {
+    results.emplace(options.out);
+  } catch (const Error& error) {
+    print_error(error);
+    return kUsage;
+  }
+  try {
+    return run_into(options, *results);
+  } catch (const Error& error) {
+    print_error(error);
+    finish(options, *results, kLost);
+    return kLost;
+  }
+}
+
+}  // namespace
+
+void add_run_command(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(line, "run", "Simulate a scene", kExamples);
+  command.add_option("scene", options->scene, "The scene's file")->required();
+  command.add_option("--out", options->out, "Directory of the results (default: runs/<scene>)");
+  command.add_option("--run", options->name,
+                     "Name of the run, for `animado ps` and its like (default: <scene>-<pid>)");
+  const auto in_process =
+      command.add_flag("--in-process", options->in_process, "The services as part of this process");
+  command
+      .add_flag("--keep-services", options->keep_services,
+                "Leave the services running at the end, until Ctrl-C")
+      ->excludes(in_process);
+  command.add_flag("--quiet", options->quiet, "No progress and no report; errors are still told");
+  command.add_flag("--json", options->json, "The summary on stdout");
+  command.callback([&line, options] { line.exit_code = run(*options); });
+}
+
+}  // namespace animado

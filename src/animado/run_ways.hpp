@@ -1,0 +1,28 @@
+// The two ways to run a scene. They differ in distance only: the results are the same to the last bit.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "animado/exit_code.hpp"
+#include "controle/progress.hpp"
+
+namespace animado {
+
+struct RunRequest {
+  std::string scene;                // path of its file
+  std::filesystem::path directory;  // takes the results and, in logs/, the logs; absolute, there already
+  std::string name;                 // of the run: of its socket directory, and of its shared arrays
+  bool keep_services = false;
+  controle::OnProgress on_progress;
+};
+
+// Five processes: the four services, supervised, and controle. `finish` is called when controle has ended,
+// before services that are kept are waited for; it returns where the logs are from then on.
+using Finish = std::function<std::filesystem::path(ExitCode)>;
+ExitCode run_with_services(const RunRequest& request, const Finish& finish);
+
+// One process.
+ExitCode run_in_process(const RunRequest& request);
+
+}  // namespace animado
