@@ -4,7 +4,7 @@
 #include <btBulletDynamicsCommon.h>
 #include <ode/ode.h>
 
-#include "animado_suite.hpp"
+#include "animado/in_process.hpp"
 #include "base/state.hpp"
 #include "controle/simulation.hpp"
 #include "free_tops.hpp"
@@ -30,18 +30,14 @@ double animado_error(const controle::Stepper& stepper) {
   return error.mean();
 }
 
-void animado_tops(benchmark::State& state, rpc::Suite& suite) {
-  controle::Simulation simulation(free_tops_scene(kTops), suite, "bench/" + std::to_string(state.range(0)), [](const auto&) {});
+void FreeTopsAnimado(benchmark::State& state) {
+  const auto suite = suite_in_process();
+  controle::Simulation simulation(free_tops_scene(kTops), *suite, "bench", [](const auto&) {});
   controle::Stepper& stepper = simulation.stepper();
   int steps = 0;
   for (auto _ : state) stepper.advance_to(kStep_s * ++steps);
   while (steps < kSteps) stepper.advance_to(kStep_s * ++steps);
   report(state, animado_error(stepper));
-}
-
-void FreeTopsAnimado(benchmark::State& state) {
-  static const auto suite = local_suite();
-  animado_tops(state, *suite);
 }
 
 void FreeTopsBullet(benchmark::State& state) {
@@ -116,28 +112,9 @@ void FreeTopsOde(benchmark::State& state) {
   dWorldDestroy(world);
 }
 
-// The cost of a step, in-process and over sockets, for few and for many bodies.
-void StepInProcess(benchmark::State& state) {
-  static const auto suite = local_suite();
-  controle::Simulation simulation(free_tops_scene(static_cast<size_t>(state.range(0))), *suite, "step/" + std::to_string(state.range(0)),
-                                  [](const auto&) {});
-  int steps = 0;
-  for (auto _ : state) simulation.stepper().advance_to(kStep_s * ++steps);
-}
-
-void StepSockets(benchmark::State& state) {
-  static SocketServices services;
-  controle::Simulation simulation(free_tops_scene(static_cast<size_t>(state.range(0))), services.suite(),
-                                  "step/" + std::to_string(state.range(0)), [](const auto&) {});
-  int steps = 0;
-  for (auto _ : state) simulation.stepper().advance_to(kStep_s * ++steps);
-}
-
-BENCHMARK(FreeTopsAnimado)->Arg(0)->Unit(benchmark::kMillisecond)->Iterations(200);
+BENCHMARK(FreeTopsAnimado)->Unit(benchmark::kMillisecond)->Iterations(200);
 BENCHMARK(FreeTopsBullet)->Unit(benchmark::kMillisecond)->Iterations(200);
 BENCHMARK(FreeTopsOde)->Unit(benchmark::kMillisecond)->Iterations(200);
-BENCHMARK(StepInProcess)->Arg(2)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond)->MinTime(1);
-BENCHMARK(StepSockets)->Arg(2)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond)->MinTime(1)->UseRealTime();
 
 }  // namespace
 }  // namespace animado::bench

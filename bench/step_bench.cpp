@@ -1,0 +1,34 @@
+// What a step costs with five processes and with one: RK4 with egesp, fred and colisao in the loop, for few bodies and for many.
+#include <benchmark/benchmark.h>
+
+#include "animado/in_process.hpp"
+#include "controle/simulation.hpp"
+#include "free_tops.hpp"
+#include "services.hpp"
+
+namespace animado::bench {
+namespace {
+
+void step(benchmark::State& state, rpc::Suite& suite) {
+  static int runs = 0;  // shared arrays are named once
+  controle::Simulation simulation(free_tops_scene(static_cast<size_t>(state.range(0))), suite, fmt::format("bench/{}", ++runs),
+                                  [](const auto&) {});
+  int steps = 0;
+  for (auto _ : state) simulation.stepper().advance_to(kStep_s * ++steps);
+}
+
+void StepInProcess(benchmark::State& state) {
+  const auto suite = suite_in_process();
+  step(state, *suite);
+}
+
+void StepSockets(benchmark::State& state) {
+  suite::Services services;
+  step(state, services.suite());
+}
+
+BENCHMARK(StepInProcess)->Arg(2)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond)->UseRealTime();
+BENCHMARK(StepSockets)->Arg(2)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond)->UseRealTime();
+
+}  // namespace
+}  // namespace animado::bench

@@ -1,0 +1,36 @@
+// The four services as real processes in a directory of their own, ended with this object. Used by the tests of the suite and by the
+// benchmarks.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "rpc/socket_suite.hpp"
+
+namespace animado::suite {
+
+class Services {
+ public:
+  Services();  // returns when each of them answers
+  ~Services();
+  Services(const Services&) = delete;
+  Services& operator=(const Services&) = delete;
+
+  rpc::SocketSuite& suite() { return *suite_; }
+  const std::filesystem::path& directory() const { return directory_; }
+  std::filesystem::path socket(const std::string& service);
+  pid_t pid(const std::string& service) const { return processes_.at(service); }
+  bool is_running(const std::string& service) const;
+
+ private:
+  void start(const std::string& service);
+
+  std::filesystem::path directory_;
+  std::map<std::string, pid_t> processes_;
+  std::unique_ptr<rpc::SocketSuite> suite_;
+};
+
+}  // namespace animado::suite
