@@ -1,0 +1,88 @@
+// src/fred/equations.cpp: systems written as expressions, and what is said about those that make no sense.
+#include "fred/equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "fred/integrate.hpp"
+
+namespace animado::fred {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+TEST(Equations, AreEvaluatedAtTimeAndUnknowns) {
+  const Equations equations(Texts{"x' = v", "v' = -k*x + t", "idle' = 7"}, {{"k", 3}});
+  EXPECT_EQ(equations.unknowns(), (Texts{"x", "v", "idle"}));
+  std::vector<double> rate(3);
+  equations.evaluate(10, std::vector<double>{2, 5, 0}, rate);
+  EXPECT_EQ(rate, (std::vector<double>{5, 4, 7}));
+}
+
+TEST(Equations, NamesAreFolded) {
+  const Equations equations(Texts{"Posição' = 2*POSICAO"}, {});
+  EXPECT_EQ(equations.arranged({{"posicao", 4}}), (std::vector<double>{4}));
+  std::vector<double> rate(1);
+  equations.evaluate(0, std::vector<double>{4}, rate);
+  EXPECT_EQ(rate[0], 8);
+}
+
+TEST(Equations, ValuesAreArrangedInTheOrderOfTheEquations) {
+  const Equations equations(Texts{"x' = 0", "y' = 0"}, {});
+  EXPECT_EQ(equations.arranged({{"y", 2}, {"x", 1}}), (std::vector<double>{1, 2}));
+}
+
+// One period of a harmonic oscillator, fourth order: the error of 1000 steps is below (2π)⁵/120/1000⁴.
+TEST(Equations, CanBeIntegrated) {
+  const Equations equations(Texts{"x' = v", "v' = -omega^2*x"}, {{"omega", 2 * std::numbers::pi}});
+  const Derivative derivative = [&](double t, auto y, auto rate) { equations.evaluate(t, y, rate); };
+  const Solution solution =
+      integrate(derivative, equations.arranged({{"x", 1}, {"v", 0}}), {0, 1, 1000, 0}, tableau_named("rk4"));
+  const double bound = std::pow(2 * std::numbers::pi, 5) / 120 / 1e12;
+  EXPECT_NEAR(solution.rows[4], 1, bound);
+  EXPECT_NEAR(solution.rows[5], 0, 2 * std::numbers::pi * bound);
+}
+
+struct Mistake {
+  const char* name;
+  Texts texts;
+  NamedValues constants, from;
+  Code code;
+  const char* where;
+};
+
+class RefusedEquations : public testing::TestWithParam<Mistake> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    , RefusedEquations,
+    testing::Values(
+        Mistake{"no_prime", {"x = 1"}, {}, {}, Code::syntax, "equations[0]"},
+        Mistake{"no_equals", {"x' = 1", "y'"}, {}, {}, Code::syntax, "equations[1]"},
+        Mistake{"no_name", {"2x' = 1"}, {}, {}, Code::syntax, "equations[0]"},
+        Mistake{"reserved", {"t' = 1"}, {}, {}, Code::conflict, "equations[0]"},
+        Mistake{"unknown_twice", {"x' = 1", "X' = 2"}, {}, {}, Code::conflict, "equations[1]"},
+        Mistake{"constant_is_unknown", {"x' = 1"}, {{"x", 1}}, {}, Code::conflict, "constants[0]"},
+        Mistake{"bad_expression", {"x' = 1 +"}, {}, {}, Code::syntax, "equations[0]"},
+        Mistake{"undefined", {"x' = w"}, {}, {{"x", 1}}, Code::unknown_name, "equations[0]"},
+        Mistake{"vector", {"x' = (1, 2, 3)"}, {}, {}, Code::type, "equations[0]"},
+        Mistake{"no_start", {"x' = 1"}, {}, {}, Code::bad_params, "from"},
+        Mistake{"start_of_nothing", {"x' = 1"}, {}, {{"x", 1}, {"y", 1}}, Code::unknown_name, "from[1]"},
+        Mistake{"start_twice", {"x' = 1"}, {}, {{"x", 1}, {"x", 1}}, Code::conflict, "from[1]"}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST_P(RefusedEquations, SayWhatIsWrongAndWhere) {
+  try {
+    Equations(GetParam().texts, GetParam().constants).arranged(GetParam().from);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), GetParam().code) << error.message();
+    EXPECT_NE(error.where().find(GetParam().where), std::string::npos) << error.where();
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+}  // namespace
+}  // namespace animado::fred
