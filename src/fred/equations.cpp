@@ -64,6 +64,17 @@ Halves split(std::string_view text, const std::string& where) {
   throw Error(Code::conflict, fmt::format("'{}' is given twice", name), where, "give each name once");
 }
 
+interexpserv::Program compile_number(std::string_view expression, const MapScope& scope,
+                                     const std::string& where) {
+  interexpserv::Program program = interexpserv::compile(expression, scope, where);
+  if (program.type() != Type::scalar) {
+    throw Error(Code::type,
+                fmt::format("'{}' is a {}, not a number", trimmed(expression), name_of(program.type())),
+                where, "an unknown is one number: write an equation for each component");
+  }
+  return program;
+}
+
 }  // namespace
 
 Equations::Equations(std::span<const std::string> texts, const NamedValues& constants) {
@@ -88,8 +99,7 @@ Equations::Equations(std::span<const std::string> texts, const NamedValues& cons
   }
   arguments_.resize(1 + size());
   for (size_t i = 0; i < size(); ++i) {
-    right_sides_.push_back(
-        {interexpserv::compile(expressions[i], scope, fmt::format("equations[{}]", i), Type::scalar), {}});
+    right_sides_.push_back({compile_number(expressions[i], scope, fmt::format("equations[{}]", i)), {}});
     auto& [program, sources] = right_sides_.back();
     for (const auto& input : program.inputs()) sources.push_back(source_of(input.name));
     inputs_.resize(std::max(inputs_.size(), sources.size()));
