@@ -8,17 +8,26 @@ namespace {
 
 constexpr size_t kShownBefore = 60, kShownAfter = 40;  // code points around the caret: a line of a terminal
 
-// The text cut into code points; line breaks and tabs would move the caret and become blanks.
+size_t length_of(unsigned char lead) {
+  return lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+}
+
+// The text cut into code points. Line breaks and tabs would move the caret and become blanks; bytes that are
+// not UTF-8 would make the message unreadable for others and become '?'.
 std::vector<std::string> code_points(std::string_view text) {
   std::vector<std::string> points;
   for (const char c : text) {
-    const bool continues = (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-    const bool blank = static_cast<unsigned char>(c) < 0x20;
-    if (continues && !points.empty()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80 && !points.empty()) {
       points.back() += c;
     } else {
-      points.emplace_back(1, blank ? ' ' : c);
+      points.emplace_back(1, byte < 0x20 ? ' ' : c);
     }
+  }
+  for (std::string& point : points) {
+    const auto lead = static_cast<unsigned char>(point[0]);
+    const bool whole = lead < 0x80 ? point.size() == 1 : lead >= 0xC0 && point.size() == length_of(lead);
+    if (!whole) point.assign(1, '?');
   }
   return points;
 }

@@ -38,13 +38,32 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
+// Whether every code point has as many continuation bytes as its first byte says.
+bool is_utf8(std::string_view text) {
+  for (size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const size_t length = lead < 0x80   ? 1
+                          : lead < 0xC0 ? 0
+                          : lead < 0xE0 ? 2
+                          : lead < 0xF0 ? 3
+                          : lead < 0xF8 ? 4
+                                        : 0;
+    if (length == 0 || i + length > text.size()) return false;
+    for (size_t k = 1; k < length; ++k) {
+      if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return false;
+    }
+    i += length;
+  }
+  return true;
+}
+
 class Lexer {
  public:
   explicit Lexer(const Source& source) : source_(source), folded_(fold(source.text)) {
     for (size_t i = 0; i < source.text.size(); ++i) {
       if ((static_cast<unsigned char>(source.text[i]) & 0xC0) != 0x80) starts_.push_back(i);
     }
-    if (starts_.size() != folded_.size()) source.refuse(Code::syntax, 0, "the text is not UTF-8");
+    if (!is_utf8(source.text)) source.refuse(Code::syntax, 0, "the text is not UTF-8");
     if (folded_.size() > kMaxTextLength) {
       throw Error(Code::limit, fmt::format("an expression of {} characters", folded_.size()),
                   std::string(source.where),
