@@ -12,8 +12,8 @@
 namespace animado::controle {
 
 struct AnimatedBody {
-  std::string name;
-  Shape shape;
+  std::string name = {};
+  Shape shape = Sphere{1};
   Motion motion = Motion::dynamic;        // a fixed body has a place and no channels
   Vec3 color_srgb = Vec3::Constant(0.7);  // each in 0 … 1, as CSS means them
 };

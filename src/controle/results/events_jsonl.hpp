@@ -22,13 +22,14 @@ inline constexpr std::array<std::string_view, 5> kEventKinds = {"impact", "conta
 struct Event {
   double time_s = 0;
   EventKind kind = EventKind::impact;
-  std::vector<std::string> bodies;         // names: object 1, then object 2
-  std::optional<Vec3> point_m;             // world
-  std::optional<Vec3> normal;              // the paper's k: unit, from object 2 towards object 1
-  std::optional<Vec3> impulse_N_s;         // P, on object 1, world
-  std::optional<double> approach_m_s;      // normal speed before
-  std::optional<double> separation_m_s;    // normal speed after
-  std::optional<std::string> name, value;  // edit: the name set and its expression; restart: the service
+  std::vector<std::string> bodies = {};       // names: object 1, then object 2
+  std::optional<Vec3> point_m = {};           // world
+  std::optional<Vec3> normal = {};            // the paper's k: unit, from object 2 towards object 1
+  std::optional<Vec3> impulse_N_s = {};       // P, on object 1, world
+  std::optional<double> approach_m_s = {};    // normal speed before
+  std::optional<double> separation_m_s = {};  // normal speed after
+  std::optional<std::string> name = {};       // edit: what was set; restart: the service
+  std::optional<std::string> value = {};      // edit: its expression
 };
 
 std::string event_line(const Event& event);  // without the line's end; a number that is not finite is a bug

@@ -15,8 +15,8 @@
 namespace animado::controle {
 
 struct ResultBody {
-  std::string name;
-  Shape shape;
+  std::string name = {};
+  Shape shape = Sphere{1};
   Motion motion = Motion::dynamic;
   Vec3 color_srgb = Vec3::Constant(0.7);     // each in 0 … 1, as CSS means them
   RotationOrder rotation_order = {0, 1, 2};  // of its Euler angles in the table

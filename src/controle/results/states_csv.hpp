@@ -14,8 +14,8 @@ namespace animado::controle {
 class StatesCsv {
  public:
   struct Body {
-    std::string name;
-    RotationOrder rotation_order;  // of its Euler angles
+    std::string name = {};
+    RotationOrder rotation_order = {0, 1, 2};  // of its Euler angles
   };
 
   StatesCsv(const std::filesystem::path& file, std::vector<Body> bodies);

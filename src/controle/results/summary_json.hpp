@@ -24,17 +24,17 @@ struct Momentum {
 };
 
 struct Summary {
-  std::string scene;        // its path, as it was given
+  std::string scene = {};   // its path, as it was given
   uint64_t scene_hash = 0;  // Fnv1a of the scene's text
   RunStatus status = RunStatus::done;
   int64_t frames = 0, bodies = 0, steps = 0, impacts = 0;
-  EnergyLedger energy;
-  Momentum momentum_initial, momentum_final;
+  EnergyLedger energy = {};
+  Momentum momentum_initial = {}, momentum_final = {};
   uint64_t state_hash = 0;  // Fnv1a of the final state's numbers, shape (13, bodies)
   double wall_time_s = 0;
-  std::vector<std::pair<std::string, double>>
-      time_per_module_s;  // in the order in which they are to be listed
-  std::vector<std::pair<std::string, int64_t>> messages_per_module;
+  std::vector<std::pair<std::string, double>> time_per_module_s =
+      {};  // in the order in which they are to be listed
+  std::vector<std::pair<std::string, int64_t>> messages_per_module = {};
 };
 
 std::string summary_text(const Summary& summary);  // pretty printed, keys in a fixed order

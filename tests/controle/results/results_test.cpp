@@ -1,0 +1,56 @@
+// src/controle/results/results.cpp
+#include "controle/results/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "base/state.hpp"
+#include "temporary_directory.hpp"
+
+namespace animado::controle {
+namespace {
+
+const std::vector<ResultBody> kBodies = {
+    {.name = "esfera", .shape = Sphere{1}},
+    {.name = "cubo", .shape = Box{{0.5, 0.5, 0.5}}, .rotation_order = {2, 1, 0}}};
+
+std::vector<double> state_at_rest() {
+  std::vector<double> state(2 * kStateRows);
+  for (size_t i = 0; i < 2; ++i) store_body(state.data(), 2, i, BodyState{});
+  return state;
+}
+
+TEST(Results, WritesTheFilesOfTheContract) {
+  const TemporaryDirectory directory;
+  Results results(directory.path(), kBodies);
+  results.frame(0, state_at_rest());
+  results.event({.time_s = 0.1, .kind = EventKind::impact, .bodies = {"esfera", "cubo"}});
+  results.frame(0.3, state_at_rest());
+  results.finish({.scene = "colisao.animado", .bodies = 2});
+
+  const std::string states = read_all(directory.path() / "states.csv");
+  EXPECT_EQ(std::count(states.begin(), states.end(), '\n'), 5);
+  EXPECT_NE(states.find("\n1,0.29999999999999999,cubo,"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(read_all(directory.path() / "events.jsonl"))["time_s"], 0.1);
+  EXPECT_TRUE(read_all(directory.path() / "animation.glb").starts_with("glTF"));
+  const auto summary = nlohmann::json::parse(read_all(directory.path() / "summary.json"));
+  EXPECT_EQ(summary["frames"], 2);
+  EXPECT_EQ(summary["status"], "done");
+}
+
+TEST(Results, EventsAreReadableWhileTheRunGoes) {
+  const TemporaryDirectory directory;
+  Results results(directory.path(), kBodies);
+  results.event({.time_s = 0.1, .kind = EventKind::impact});
+  results.frame(0.3, state_at_rest());
+  EXPECT_NE(read_all(directory.path() / "events.jsonl").find("impact"), std::string::npos);
+}
+
+TEST(Results, AMissingDirectoryIsAnError) {
+  EXPECT_THROW(Results("/no/such/directory", kBodies), Error);
+}
+
+}  // namespace
+}  // namespace animado::controle
