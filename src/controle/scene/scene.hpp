@@ -2,13 +2,13 @@
 // is the text of an expression that is known to compile. SI units, radians.
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/euler.hpp"
 #include "base/shape.hpp"
 #include "base/spatial.hpp"
 
@@ -56,9 +56,6 @@ struct Time {
   double frame_time(size_t k) const { return start_s + static_cast<double>(k) * step_s; }
   std::vector<double> frame_times() const;
 };
-
-// The fixed axes (0 x, 1 y, 2 z) about which a body is turned, first one first.
-using RotationOrder = std::array<int, 3>;
 
 struct Color {
   double r = 0.7, g = 0.7, b = 0.7;  // 0 … 1, sRGB

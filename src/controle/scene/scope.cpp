@@ -1,0 +1,101 @@
+#include "controle/scene/scope.hpp"
+
+#include "controle/scene/refusal.hpp"
+
+namespace animado::controle {
+namespace {
+
+using interexpserv::Input;
+using interexpserv::Symbol;
+using interexpserv::Type;
+using interexpserv::Value;
+
+std::vector<std::string> names_of(const std::vector<Body>& bodies) {
+  std::vector<std::string> names;
+  for (const Body& body : bodies) names.push_back(body.folded_name);
+  return names;
+}
+
+// "(a) + (b)", or the zero vector.
+std::string sum_of(const std::vector<Expression>& expressions) {
+  std::string text;
+  for (const Expression& expression : expressions)
+    text += (text.empty() ? "(" : " + (") + expression.text + ")";
+  return text.empty() ? "(0, 0, 0)" : text;
+}
+
+// v turned by the body's quaternion (w, q): v + 2 q × (q × v + w v).
+constexpr std::string_view kTurned =
+    "local_force + 2 * cross((orientation.qx, orientation.qy, orientation.qz), "
+    "cross((orientation.qx, orientation.qy, orientation.qz), local_force) + orientation.qw * local_force)";
+
+}  // namespace
+
+SceneScope::SceneScope(const Scene& scene) : scene_(scene), names_(names_of(scene.bodies)) {}
+
+std::optional<Symbol> SceneScope::find(std::string_view folded_name) const {
+  if (const auto reading = names_.find(folded_name)) {
+    if (reading->body < 0) return Input{"t", Type::scalar};
+    const Body& body = scene_.bodies[static_cast<size_t>(reading->body)];
+    switch (reading->member) {
+      case Member::mass:
+        return Value::scalar(body.mass_kg);
+      case Member::force:
+        return force_of(body);
+      case Member::local_force:
+        return local_force_of(body);
+      default:
+        return Input{std::string(folded_name), type_of(reading->member)};
+    }
+  }
+  for (const Definition& name : scene_.names) {
+    if (name.name != folded_name) continue;
+    const int owner = name.value.owner;
+    return interexpserv::Definition{name.name, name.value.text,
+                                    owner < 0 ? "" : scene_.bodies[static_cast<size_t>(owner)].folded_name};
+  }
+  return std::nullopt;
+}
+
+interexpserv::Definition SceneScope::force_of(const Body& body) const {
+  std::string text = sum_of(body.forces);
+  if (!body.local_forces.empty()) text += " + " + std::string(kTurned);
+  return {body.folded_name + ".force", std::move(text), body.folded_name};
+}
+
+interexpserv::Definition SceneScope::local_force_of(const Body& body) const {
+  return {body.folded_name + ".local_force", sum_of(body.local_forces), body.folded_name};
+}
+
+std::vector<std::string> SceneScope::known_names() const {
+  std::vector<std::string> names = names_.known_names();
+  for (const Definition& name : scene_.names) names.push_back(name.name);
+  return names;
+}
+
+interexpserv::Program SceneScope::compile(const Expression& expression, std::optional<Type> expected) const {
+  try {
+    if (expression.owner < 0) return interexpserv::compile(expression.text, *this, {}, expected);
+    const Body& owner = scene_.bodies[static_cast<size_t>(expression.owner)];
+    return interexpserv::compile(expression.text, interexpserv::HomeScope(*this, owner.folded_name), {},
+                                 expected);
+  } catch (const interexpserv::ExpressionError& error) {
+    refuse_expression(error, expression, scene_.path, scene_.names);
+  }
+}
+
+void refuse_expression(const interexpserv::ExpressionError& error, const Expression& expression,
+                       std::string_view path, const std::vector<Definition>& names) {
+  Place place = expression.place;
+  if (error.where().empty()) place.column += static_cast<int>(error.column());
+  for (const Definition& name : names) {
+    if (name.name != error.where()) continue;
+    place = name.value.place;
+    place.column += static_cast<int>(error.column());
+  }
+  const std::string remedy =
+      error.remedy().empty() ? "docs/expressions.md lists what can be written" : error.remedy();
+  refuse(path, place, error.code(), error.message(), remedy);
+}
+
+}  // namespace animado::controle

@@ -1,0 +1,39 @@
+// What the names of a scene mean to the compiler of expressions: t, the objects' state, the scene's
+// definitions.
+#pragma once
+
+#include "controle/scene/scene.hpp"
+#include "controle/scene/state_names.hpp"
+#include "interexpserv/program.hpp"
+
+namespace animado::controle {
+
+// Keeps a reference: a scene that changes (live edits of forces or names) is seen by the next compile.
+class SceneScope : public interexpserv::Scope {
+ public:
+  explicit SceneScope(const Scene& scene);
+
+  // mass is a value; position, orientation.q*, velocity, angular_velocity (world) and t are inputs; force and
+  // the scene's own names are definitions.
+  std::optional<interexpserv::Symbol> find(std::string_view folded_name) const override;
+  std::vector<std::string> known_names() const override;
+
+  // Throws Error with file:line:column of the mistake.
+  interexpserv::Program compile(const Expression& expression,
+                                std::optional<interexpserv::Type> expected = {}) const;
+
+  const StateNames& state_names() const { return names_; }
+
+ private:
+  interexpserv::Definition force_of(const Body& body) const;
+  interexpserv::Definition local_force_of(const Body& body) const;
+
+  const Scene& scene_;
+  StateNames names_;
+};
+
+// Where in the file an expression's error lies: the error of the language, with file:line:column before it.
+[[noreturn]] void refuse_expression(const interexpserv::ExpressionError& error, const Expression& expression,
+                                    std::string_view path, const std::vector<Definition>& names);
+
+}  // namespace animado::controle
