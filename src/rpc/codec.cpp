@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "rpc/decoder.hpp"
 #include "rpc/encoder.hpp"
 
 namespace animado::rpc {
@@ -32,10 +33,13 @@ void pack_array(const Array& array, Encoder& out) {
   }
 }
 
-void pack_record(const Type& type, const void* value, Encoder& out) {
+size_t count_fields(const Type& type, const void* value) {
   size_t count = type.fields.size();
   for (const Field& field : type.fields) count -= is_left_out(field, value);
-  out.map(count);
+  return count;
+}
+
+void pack_fields(const Type& type, const void* value, Encoder& out) {
   for (const Field& field : type.fields) {
     if (is_left_out(field, value)) continue;
     out.text(field.name);
@@ -67,13 +71,25 @@ void pack(const Type& type, const void* value, Encoder& out) {
     case Type::Kind::array:
       return pack_array(*static_cast<const Array*>(value), out);
     case Type::Kind::record:
-      return pack_record(type, value, out);
+      out.map(count_fields(type, value));
+      return pack_fields(type, value, out);
     case Type::Kind::list:
       return pack_list(type, value, out);
     case Type::Kind::optional:
       if (const void* content = type.content(value)) return pack(*type.element, content, out);
       return out.nil();
   }
+}
+
+void pack_params(const Type& type, const void* request, const Marks& marks, Encoder& out) {
+  out.map(count_fields(type, request) + 1 + !marks.trace.empty());
+  if (!marks.trace.empty()) {
+    out.text("_trace");
+    out.text(marks.trace);
+  }
+  out.text("_seq");
+  out.integer(marks.seq);
+  pack_fields(type, request, out);
 }
 
 std::string type_text(const Type& type) {

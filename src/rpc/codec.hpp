@@ -12,6 +12,7 @@ namespace animado::rpc {
 
 class Encoder;
 class Decoder;
+struct Marks;
 
 struct MessageCodec {
   std::string_view name, doc;
@@ -40,6 +41,8 @@ std::vector<const MessageCodec*> codecs() {
 
 // Writes a value of the type. An optional field without a value is left out.
 void pack(const Type& type, const void* value, Encoder& out);
+// The same for the fields of a request, with the marks under their reserved keys.
+void pack_params(const Type& type, const void* request, const Marks& marks, Encoder& out);
 
 // Reads a value of the type into a default-constructed one. `where` opens the path in errors ("solve"):
 // bad_params for a field that is unknown, missing or of the wrong type, bad_shape for an array whose shape is

@@ -43,10 +43,20 @@ void LocalChannel::give_descriptor(int fd) {
 }
 
 void LocalChannel::exchange(const MessageCodec& message, const void* request, void* reply) {
+  const Marks marks{trace_, ++seq_};
   ServedCall call(kTheConnection, dispatcher_.suite());
   call.set_incoming(std::move(given_));
-  dispatcher_.run(dispatcher_.entry(message.name), request, reply, {trace_, ++seq_}, call);
+  dispatcher_.run(find(message, marks), request, reply, marks, call);
   received_ = duplicate(call.outgoing());
+}
+
+const Service::Entry& LocalChannel::find(const MessageCodec& message, const Marks& marks) {
+  try {
+    return dispatcher_.entry(message.name);
+  } catch (const Error& error) {
+    dispatcher_.refuse(message.name, marks, error);
+    throw;
+  }
 }
 
 bool LocalChannel::next_notification(const MessageCodec& message, void* request, double) {

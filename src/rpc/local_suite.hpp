@@ -35,6 +35,8 @@ class LocalChannel final : public Channel {
     const MessageCodec* message;
     std::string packed;
   };
+  const Service::Entry& find(const MessageCodec& message, const Marks& marks);
+
   std::unique_ptr<Service> service_;
   std::unique_ptr<Log> log_;
   Dispatcher dispatcher_;

@@ -1,0 +1,115 @@
+#include "rpc/daemon.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <optional>
+
+#include "base/error.hpp"
+#include "rpc/dispatcher.hpp"
+#include "rpc/endpoint.hpp"
+#include "rpc/registration.hpp"
+#include "rpc/server.hpp"
+#include "rpc/socket_suite.hpp"
+
+namespace animado::rpc {
+namespace {
+
+Server* g_server = nullptr;  // a signal handler reaches nothing but globals
+
+void on_signal(int) {
+  if (g_server) g_server->stop();
+}
+
+void set_signals(Server& server) {
+  g_server = &server;
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+struct Options {
+  std::filesystem::path directory, log;
+  LogLevel level = LogLevel::info;
+  bool list = false;
+};
+
+const std::map<std::string, LogLevel> kLevels = {{"info", LogLevel::info},
+                                                 {"warning", LogLevel::warning},
+                                                 {"error", LogLevel::error},
+                                                 {"off", LogLevel::off}};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--socket-dir", options.directory,
+                 "folder of the run's sockets (default: $ANIMADO_SOCKET_DIR, or one in $XDG_RUNTIME_DIR)");
+  app.add_option("--log", options.log, "log file, a line a message (default: NAME.log beside the socket)");
+  app.add_option("--log-level", options.level, "info, warning, error or off")
+      ->transform(CLI::CheckedTransformer(kLevels, CLI::ignore_case))
+      ->default_str("info");
+  app.add_flag("--messages", options.list, "list the messages that it answers, and leave");
+  app.set_version_flag("--version", ANIMADO_VERSION);
+}
+
+void print_messages(const Service& service) {
+  for (const auto& [name, entry] : service.entries()) fmt::print("{:<16} {}\n", name, entry.codec->doc);
+}
+
+void serve(const std::string& name, Dispatcher& dispatcher, const Options& options) {
+  Log& log = dispatcher.log();
+  remove_stale(options.directory, name);
+  Server server(dispatcher, socket_path(options.directory, name, getpid()));
+  set_signals(server);
+  std::optional<Registration> registration;
+  if (name != kWellKnown) {
+    registration.emplace(options.directory,
+                         Register::Request{name, server.socket().string(), ANIMADO_VERSION, getpid()}, log);
+    server.keep(*registration);
+  }
+  log.info(fmt::format("serves on {}", server.socket().string()));
+  server.run();
+  g_server = nullptr;
+  log.info("ended as asked");
+}
+
+void start(const DaemonInfo& info, Options options, const std::function<void(Service&, Suite&)>& table) {
+  if (options.directory.empty()) options.directory = socket_directory();
+  SocketSuite suite({.directory = options.directory, .client = info.name});
+  Service service(info.name);
+  if (!options.list) prepare_directory(options.directory);
+  table(service, suite);
+  if (options.log.empty()) options.log = options.directory / (info.name + ".log");
+  Log log = options.list ? Log() : Log(info.name, options.log, options.level);
+  Dispatcher dispatcher(service, suite, log);
+  options.list ? print_messages(service) : serve(info.name, dispatcher, options);
+}
+
+}  // namespace
+
+int run_daemon(int argc, char** argv, const DaemonInfo& info,
+               const std::function<void(Service&, Suite&)>& table) {
+  CLI::App app(info.manual, info.name);
+  Options options;
+  add_options(app, options);
+  if (info.add_options) info.add_options(app);
+  const std::string example =
+      info.example.empty() ? fmt::format("animado call {} describe '{{}}'", info.name) : info.example;
+  app.footer(fmt::format("Messages: {0} --messages, or docs/protocol.md. Example: {1}", info.name, example));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    start(info, std::move(options), table);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", info.name, error.what());
+    return 1;
+  }
+}
+
+}  // namespace animado::rpc

@@ -1,0 +1,222 @@
+#include "rpc/server.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+
+#include "rpc/endpoint.hpp"
+
+namespace animado::rpc {
+namespace {
+
+// While one peer keeps us busy the others, and those who want to connect, are looked at this often.
+constexpr std::chrono::milliseconds kFullLook{1};
+constexpr int kLooksAtLast = 8;  // at who spoke last, for one at everybody: it costs as much as some of them
+constexpr size_t kMaxPeers = 256;  // a run has 10; below the usual limit of 1024 open files
+constexpr size_t kMaxUnsent = size_t{1}
+                              << 20;  // bytes that a peer may leave unread before it is not served further
+
+}  // namespace
+
+Server::Server(Dispatcher& dispatcher, std::filesystem::path socket)
+    : dispatcher_(dispatcher),
+      socket_(std::move(socket)),
+      listener_(listen_at(socket_)),
+      wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  dispatcher_.service().notify = [this](ConnectionId id, const MessageCodec& message, const void* request) {
+    return notify(id, message, request);
+  };
+}
+
+Server::~Server() {
+  std::error_code gone;
+  std::filesystem::remove(socket_, gone);
+  for (Peer& peer : peers_) peer.ending = true;
+  drop_ended();
+}
+
+void Server::stop() noexcept {
+  stopping_ = true;
+  const uint64_t one = 1;
+  [[maybe_unused]] const auto written =
+      ::write(wake_.get(), &one, sizeof one);  // full only when it is awake already
+}
+
+void Server::run() {
+  while (!stopping_) {
+    if (poll_briefly([this] { return look() || stopping_; })) continue;
+    dispatcher_.log().flush();
+    wait(Clock::duration::max());
+  }
+  dispatcher_.log().flush();
+}
+
+bool Server::look() {
+  const bool everybody = last_ == nullptr || ++looks_ % kLooksAtLast == 0;
+  if (everybody) return wait(Clock::duration::zero());
+  if (!serve(*last_)) return false;
+  if (last_->ending || Clock::now() - last_full_look_ > kFullLook) wait(Clock::duration::zero());
+  return true;
+}
+
+bool Server::wait(Clock::duration longest) {
+  const auto now = Clock::now();
+  last_full_look_ = now;
+  if (companion_)
+    longest = std::min(longest, std::max(companion_->next_time() - now, Clock::duration::zero()));
+  const int timeout_ms =
+      longest == Clock::duration::max()
+          ? -1
+          : static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(longest).count());
+  polled_.assign({{wake_.get(), POLLIN, 0},
+                  {listener_.get(), POLLIN, 0},
+                  {companion_ ? companion_->fd() : -1, POLLIN, 0}});
+  for (const Peer& peer : peers_) {
+    const short events = peer.connection.unsent() > 0 ? POLLOUT : POLLIN;
+    polled_.push_back({peer.connection.fd(), events, 0});
+  }
+  const int ready = ::poll(polled_.data(), polled_.size(), timeout_ms);
+  if (companion_ && (polled_[2].revents != 0 || Clock::now() >= companion_->next_time())) companion_->step();
+  size_t at = 3;
+  for (auto peer = peers_.begin(); ready > 0 && at < polled_.size(); ++peer, ++at) {
+    if (polled_[at].revents != 0) serve(*peer);
+  }
+  if (ready > 0 && polled_[1].revents != 0) accept_all();
+  drop_ended();
+  return ready > 0;
+}
+
+void Server::accept_all() {
+  for (;;) {
+    UniqueFd fd(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!fd) return;
+    if (!peer_is_ours(fd.get())) {
+      dispatcher_.log().warn("a process of another user was turned away");
+    } else if (peers_.size() == kMaxPeers) {
+      dispatcher_.log().warn(fmt::format("a client was turned away: {} are connected", kMaxPeers));
+    } else {
+      peers_.emplace_back(std::move(fd), next_id_++);
+    }
+  }
+}
+
+bool Server::serve(Peer& peer) {
+  if (!peer.connection.flush()) peer.ending = true;
+  if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
+  const auto received = peer.connection.receive();
+  if (received == Connection::Received::closed) {
+    peer.ending = true;
+  } else {
+    serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
+  }
+  if (received != Connection::Received::nothing) last_ = &peer;
+  return received != Connection::Received::nothing;
+}
+
+void Server::serve_messages(Peer& peer) {
+  Envelope envelope;
+  try {
+    std::string_view message;
+    while (!peer.ending && peer.connection.unsent() <= kMaxUnsent && peer.connection.next_message(message)) {
+      envelope = {};
+      read_envelope(message, envelope);
+      answer(peer, envelope);
+      if (!peer.connection.flush()) peer.ending = true;
+    }
+  } catch (const Error& error) {
+    // Not MessagePack-RPC, or too much of it: where the next message begins is unknown, so the connection
+    // ends.
+    if (envelope.id == 0) envelope.id = id_in(peer.connection.unread());
+    dispatcher_.refuse(envelope.method, {peer.trace, envelope.id}, error);
+    Encoder out(peer.connection.out());
+    write_error(envelope.id, error, out);
+    peer.connection.flush();
+    peer.ending = true;
+  }
+}
+
+void Server::answer(Peer& peer, const Envelope& envelope) {
+  if (envelope.kind == Envelope::Kind::reply) {
+    throw Error(Code::protocol, "a reply to a question that was not asked", {},
+                "send requests: [0, id, method, [params]]");
+  }
+  try {
+    call(peer, envelope);
+  } catch (const Error& error) {
+    if (envelope.kind == Envelope::Kind::notification) return;
+    Encoder out(peer.connection.out());
+    write_error(envelope.id, error, out);
+  }
+}
+
+Value Server::read_request(const Peer& peer, const Envelope& envelope, const Service::Entry*& entry,
+                           Decoder& in) {
+  try {
+    entry = &dispatcher_.entry(envelope.method);
+    if (!peer.greeted && envelope.method != Hello::name) {
+      throw Error(Code::protocol, fmt::format("'{}' came before hello", entry->codec->name),
+                  dispatcher_.service().name(),
+                  fmt::format("open the connection with hello {{protocol: '{}', version: {}}}", kProtocolName,
+                              kProtocolVersion));
+    }
+    Value request = entry->codec->request.make();
+    unpack(entry->codec->request, in, request.get(), entry->codec->name);
+    return request;
+  } catch (const Error& error) {
+    dispatcher_.refuse(envelope.method, in.marks, error);
+    throw;
+  }
+}
+
+void Server::call(Peer& peer, const Envelope& envelope) {
+  Decoder in(envelope.body, Numbers::finite);
+  in.marks = {peer.trace, envelope.id};
+  const Service::Entry* entry = nullptr;
+  const Value request = read_request(peer, envelope, entry, in);
+  const Value reply = entry->codec->reply.make();
+  ServedCall call(peer.id, dispatcher_.suite());
+  call.set_incoming(peer.connection.take_descriptor());
+  dispatcher_.run(*entry, request.get(), reply.get(), in.marks, call);
+  if (!peer.greeted) {
+    peer.greeted = true;
+    peer.trace = static_cast<const Hello::Request*>(request.get())->trace;
+  }
+  if (envelope.kind == Envelope::Kind::notification) return;
+  const size_t before = peer.connection.out().size();
+  Encoder out(peer.connection.out());
+  begin_result(envelope.id, out);
+  pack(entry->codec->reply, reply.get(), out);
+  if (peer.connection.out().size() - before > kMaxMessageBytes) {
+    peer.connection.out().resize(before);
+    throw Error(Code::limit, fmt::format("the reply would hold more than {} bytes", kMaxMessageBytes),
+                std::string(entry->codec->name), "name a shared array in the field out, or ask for less");
+  }
+  if (call.outgoing() >= 0) peer.connection.attach(call.outgoing());
+}
+
+void Server::drop_ended() {
+  for (auto peer = peers_.begin(); peer != peers_.end();) {
+    if (!peer->ending) {
+      ++peer;
+      continue;
+    }
+    if (last_ == &*peer) last_ = nullptr;
+    const ConnectionId id = peer->id;
+    peer = peers_.erase(peer);
+    if (dispatcher_.service().on_disconnect) dispatcher_.service().on_disconnect(id);
+  }
+}
+
+bool Server::notify(ConnectionId id, const MessageCodec& message, const void* request) {
+  const auto peer =
+      std::find_if(peers_.begin(), peers_.end(), [&](const Peer& p) { return p.id == id && !p.ending; });
+  if (peer == peers_.end()) return false;
+  Encoder out(peer->connection.out());
+  begin_notification(message.name, out);
+  pack(message.request, request, out);
+  peer->ending = !peer->connection.flush() || peer->connection.unsent() > kMaxMessageBytes;
+  return !peer->ending;
+}
+
+}  // namespace animado::rpc

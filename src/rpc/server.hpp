@@ -1,0 +1,74 @@
+// Serves a table on a socket: one thread, one request at a time, in the order in which they come.
+#pragma once
+
+#include <poll.h>
+
+#include <atomic>
+#include <filesystem>
+#include <list>
+#include <vector>
+
+#include "rpc/connection.hpp"
+#include "rpc/dispatcher.hpp"
+#include "rpc/unique_fd.hpp"
+#include "rpc/waiting.hpp"
+#include "rpc/wire.hpp"
+
+namespace animado::rpc {
+
+// Something else that the loop keeps going: the registration with interexpserv.
+class Companion {
+ public:
+  virtual ~Companion() = default;
+  virtual int fd() const = 0;                       // wakes the loop when readable; -1: none
+  virtual Clock::time_point next_time() const = 0;  // wakes the loop at the latest
+  virtual void step() = 0;                          // must not block
+};
+
+class Server {
+ public:
+  // Listens when constructed; stops listening, and removes the socket, when destroyed. Throws what listen_at
+  // throws.
+  Server(Dispatcher& dispatcher, std::filesystem::path socket);
+  ~Server();
+
+  void keep(Companion& companion) { companion_ = &companion; }
+  void run();            // until stop()
+  void stop() noexcept;  // from any thread, or a signal handler
+  const std::filesystem::path& socket() const { return socket_; }
+
+ private:
+  struct Peer {
+    Peer(UniqueFd fd, ConnectionId number) : connection(std::move(fd)), id(number) {}
+    Connection connection;
+    ConnectionId id;
+    bool greeted = false, ending = false;
+    std::string trace;
+  };
+  using Peers = std::list<Peer>;
+
+  bool look();  // serves who spoke last, and now and then everybody; true when there was something to do
+  bool wait(Clock::duration longest);  // waits for anything, then serves it
+  void accept_all();
+  bool serve(Peer& peer);  // true when something came
+  void serve_messages(Peer& peer);
+  void answer(Peer& peer, const Envelope& envelope);
+  Value read_request(const Peer& peer, const Envelope& envelope, const Service::Entry*& entry, Decoder& in);
+  void call(Peer& peer, const Envelope& envelope);
+  void drop_ended();
+  bool notify(ConnectionId id, const MessageCodec& message, const void* request);
+
+  Dispatcher& dispatcher_;
+  std::filesystem::path socket_;
+  UniqueFd listener_, wake_;
+  Companion* companion_ = nullptr;
+  std::atomic<bool> stopping_{false};
+  Peers peers_;
+  Peer* last_ = nullptr;  // who spoke last: most likely to speak next
+  ConnectionId next_id_ = 1;
+  int looks_ = 0;
+  Clock::time_point last_full_look_;
+  std::vector<pollfd> polled_;
+};
+
+}  // namespace animado::rpc

@@ -1,0 +1,230 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "rpc/common.hpp"
+#include "rpc/directory_watch.hpp"
+#include "rpc/encoder.hpp"
+#include "rpc/json.hpp"
+#include "rpc/socket_suite.hpp"
+#include "rpc/wire.hpp"
+
+namespace animado::rpc {
+namespace {
+
+// Between two looks for a lost service, when its socket does not show up by itself: it may listen a moment
+// before it is registered.
+constexpr std::chrono::milliseconds kFirstPause{1}, kLongestPause{100};
+
+// Waits for a service to come back: until a socket appears in the folder, or a pause that doubles is over.
+class Comeback {
+ public:
+  Comeback(const std::filesystem::path& directory, double limit_s)
+      : directory_(directory), deadline_(Clock::now() + seconds(limit_s)) {}
+
+  // False when the time limit is over.
+  bool wait() {
+    if (Clock::now() >= deadline_) return false;
+    if (!watch_) {
+      // The service may have come back before we began to watch: the first pause is none.
+      watch_.emplace(directory_);
+      return true;
+    }
+    wait_until(watch_->fd(), POLLIN, std::min(deadline_, Clock::now() + pause_));
+    watch_->clear();
+    pause_ = std::min(2 * pause_, kLongestPause);
+    return true;
+  }
+
+ private:
+  std::filesystem::path directory_;
+  Clock::time_point deadline_;
+  std::chrono::milliseconds pause_ = kFirstPause;
+  std::optional<DirectoryWatch> watch_;
+};
+
+}  // namespace
+
+void SocketChannel::give_descriptor(int fd) {
+  given_.reset(fcntl(fd, F_DUPFD_CLOEXEC, 0));
+}
+
+void SocketChannel::exchange(const MessageCodec& message, const void* request, void* reply) {
+  params_.clear();
+  Encoder out(params_);
+  pack_params(message.request, request, suite_.next_marks(), out);
+  std::string_view result;
+  try {
+    result = transact(message.name, params_);
+  } catch (const Error& error) {
+    // A restarted interexpserv does not know the arrays that we made: it gets them back, and the request goes
+    // out once more.
+    if (error.code() != Code::unknown_array || service_ == kWellKnown || !suite_.arrays().hand_back()) throw;
+    result = transact(message.name, params_);
+  }
+  Decoder in(result);
+  unpack(message.reply, in, reply, message.name);
+}
+
+std::string SocketChannel::call_json(std::string_view method, std::string_view params) {
+  return json_of(transact(method, packed_of(params)));
+}
+
+std::string_view SocketChannel::transact(std::string_view method, std::string_view params) {
+  const UniqueFd given = std::move(given_);
+  std::optional<Comeback> comeback;
+  do {
+    try {
+      return attempt(method, params, given.get());
+    } catch (const Broken&) {
+      connection_.reset();
+      if (!comeback) comeback.emplace(suite_.options().directory, suite_.options().reconnect_s);
+    }
+  } while (comeback->wait());
+  give_up(method);
+}
+
+std::string_view SocketChannel::attempt(std::string_view method, std::string_view params, int given) {
+  if (!connection_) connect();
+  const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
+  Encoder out(connection_->out());
+  begin_request(++id_, method, out);
+  out.raw(params);
+  if (given >= 0) connection_->attach(given);
+  send(deadline, method);
+  const std::string_view result = receive_reply(id_, deadline, method);
+  received_ = connection_->take_descriptor();
+  return result;
+}
+
+std::filesystem::path SocketChannel::find_socket() {
+  const auto& directory = suite_.options().directory;
+  if (service_ == kWellKnown) return socket_path(directory, kWellKnown, 0);
+  try {
+    return suite_.channel(kWellKnown).call<Lookup>({service_}).socket;
+  } catch (const Error& error) {
+    // Not registered now: it may be about to come back. When interexpserv itself is away, its own channel has
+    // waited already.
+    if (error.code() == Code::unavailable && error.where() != kWellKnown) throw Broken{};
+    throw;
+  }
+}
+
+void SocketChannel::connect() {
+  UniqueFd fd = connect_to(find_socket());
+  if (!fd) throw Broken{};
+  connection_.emplace(std::move(fd));
+  notifications_.clear();
+  try {
+    say_hello();
+  } catch (const Error&) {
+    connection_.reset();
+    throw;
+  }
+}
+
+void SocketChannel::say_hello() {
+  const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
+  Encoder out(connection_->out());
+  begin_request(++id_, Hello::name, out);
+  const Hello::Request hello{std::string(kProtocolName), kProtocolVersion, suite_.options().client,
+                             suite_.options().trace};
+  pack(type_of<Hello::Request>(), &hello, out);
+  send(deadline, Hello::name);
+  receive_reply(id_, deadline, Hello::name);
+}
+
+void SocketChannel::send(Clock::time_point deadline, std::string_view method) {
+  for (;;) {
+    if (!connection_->flush()) throw Broken{};
+    if (connection_->unsent() == 0) return;
+    if (!wait_until(connection_->fd(), POLLOUT, deadline)) give_up(method);
+  }
+}
+
+// Brings more bytes; false when none came in time.
+bool SocketChannel::receive(Clock::time_point deadline) {
+  const auto attempt = [this] {
+    const auto received = connection_->receive();
+    if (received == Connection::Received::closed) throw Broken{};
+    return received == Connection::Received::bytes;
+  };
+  if (Clock::now() >= deadline) return attempt();
+  return poll_briefly(attempt) ||
+         (wait_until(connection_->fd(), POLLIN, deadline) && (attempt() || Clock::now() < deadline));
+}
+
+// Takes the next message that is there. A peer that sends something else loses the connection.
+bool SocketChannel::next_envelope(Envelope& envelope, std::string_view& message) {
+  try {
+    if (!connection_->next_message(message)) return false;
+    read_envelope(message, envelope);
+    return true;
+  } catch (const Error&) {
+    connection_.reset();
+    throw;
+  }
+}
+
+std::string_view SocketChannel::receive_reply(int64_t id, Clock::time_point deadline,
+                                              std::string_view method) {
+  for (;;) {
+    Envelope envelope;
+    std::string_view message;
+    while (next_envelope(envelope, message)) {
+      if (envelope.kind == Envelope::Kind::notification) notifications_.emplace_back(message);
+      if (envelope.kind != Envelope::Kind::reply || envelope.id != id) continue;
+      if (!envelope.error.empty()) throw read_error(envelope.error);
+      return envelope.body;
+    }
+    if (!receive(deadline)) give_up(method);
+  }
+}
+
+void SocketChannel::give_up(std::string_view method) {
+  const bool was_connected = connection_.has_value();
+  connection_.reset();  // an answer that comes late must not meet the next question
+  const auto& options = suite_.options();
+  throw Error(
+      Code::unavailable,
+      was_connected
+          ? fmt::format("{} did not answer {} within {} s", service_, method, options.call_timeout_s)
+          : fmt::format("{} cannot be reached (tried for {} s, sockets in {})", service_, options.reconnect_s,
+                        options.directory.string()),
+      service_,
+      "animado ps shows what runs; animado run starts all services; the log of the service may tell more");
+}
+
+bool SocketChannel::next_notification(const MessageCodec& message, void* request, double timeout_s) {
+  const auto deadline = Clock::now() + seconds(timeout_s);
+  const auto take = [&] {
+    for (auto at = notifications_.begin(); at != notifications_.end(); ++at) {
+      Envelope envelope;
+      read_envelope(*at, envelope);
+      if (envelope.method != message.name) continue;
+      Decoder in(envelope.body);
+      unpack(message.request, in, request, message.name);
+      notifications_.erase(at);
+      return true;
+    }
+    return false;
+  };
+  try {
+    if (!connection_) throw Broken{};
+    while (!take()) {
+      if (!receive(deadline)) return false;
+      Envelope envelope;
+      std::string_view text;
+      while (next_envelope(envelope, text)) notifications_.emplace_back(text);
+    }
+    return true;
+  } catch (const Broken&) {
+    connection_.reset();
+    throw Error(Code::unavailable, fmt::format("the connection to {} was lost", service_), service_,
+                "ask to watch again");
+  }
+}
+
+}  // namespace animado::rpc

@@ -1,0 +1,16 @@
+#include "rpc/socket_suite.hpp"
+
+namespace animado::rpc {
+
+SocketChannel& SocketSuite::channel(std::string_view service) {
+  const auto found = channels_.find(service);
+  if (found != channels_.end()) return found->second;
+  return channels_.try_emplace(std::string(service), *this, std::string(service)).first->second;
+}
+
+SharedArrays& SocketSuite::arrays() {
+  if (!arrays_) arrays_ = std::make_unique<SharedArrays>(channel(kWellKnown));
+  return *arrays_;
+}
+
+}  // namespace animado::rpc

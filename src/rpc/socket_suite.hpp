@@ -1,0 +1,91 @@
+// The other modules, each behind its socket.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "rpc/channel.hpp"
+#include "rpc/connection.hpp"
+#include "rpc/decoder.hpp"
+#include "rpc/endpoint.hpp"
+#include "rpc/shared_array.hpp"
+#include "rpc/waiting.hpp"
+#include "rpc/wire.hpp"
+
+namespace animado::rpc {
+
+class SocketSuite;
+
+// Calls one service. Finds it through interexpserv; when its connection breaks, finds it again and repeats
+// the request until reconnect_s is over. One thread at a time.
+class SocketChannel final : public Channel {
+ public:
+  SocketChannel(SocketSuite& suite, std::string service) : suite_(suite), service_(std::move(service)) {}
+
+  UniqueFd take_descriptor() override { return std::move(received_); }
+  void give_descriptor(int fd) override;
+
+  // Any message of any service, as text: params as a JSON object, the result as JSON.
+  std::string call_json(std::string_view method, std::string_view params);
+
+  bool is_connected() const { return connection_.has_value(); }
+  int fd() const {
+    return connection_ ? connection_->fd() : -1;
+  }  // readable when a notification may have come; -1 when not connected
+
+ protected:
+  void exchange(const MessageCodec& message, const void* request, void* reply) override;
+  bool next_notification(const MessageCodec& message, void* request, double timeout_s) override;
+
+ private:
+  struct Broken {};  // the connection is gone; thrown inside only
+
+  // Sends [0, id, method, [params]] and returns the packed result, connecting and repeating as needed.
+  std::string_view transact(std::string_view method, std::string_view params);
+  std::string_view attempt(std::string_view method, std::string_view params, int given);
+  void connect();
+  std::filesystem::path find_socket();
+  void say_hello();
+  void send(Clock::time_point deadline, std::string_view method);
+  std::string_view receive_reply(int64_t id, Clock::time_point deadline, std::string_view method);
+  bool receive(Clock::time_point deadline);
+  bool next_envelope(Envelope& envelope, std::string_view& message);
+  [[noreturn]] void give_up(std::string_view method);
+
+  SocketSuite& suite_;
+  std::string service_, params_;
+  std::optional<Connection> connection_;
+  std::deque<std::string> notifications_;
+  UniqueFd given_, received_;
+  int64_t id_ = 0;
+};
+
+class SocketSuite final : public Suite {
+ public:
+  struct Options {
+    std::filesystem::path directory = socket_directory();
+    std::string client = {};     // our name in the logs of the others
+    std::string trace = {};      // the run's id in the logs
+    double call_timeout_s = 30;  // a batch of 10,000 systems takes 0.01 s: who needs 30 s is stuck
+    double reconnect_s =
+        15;  // restarting a service takes 0.1 s; the supervisor gives up after 5 deaths in 10 s
+  };
+  explicit SocketSuite(Options options) : options_(std::move(options)) {}
+
+  SocketChannel& channel(std::string_view service) override;
+  SharedArrays& arrays() override;
+  const Options& options() const { return options_; }
+  Marks next_marks() { return {options_.trace, ++seq_}; }
+
+ private:
+  Options options_;
+  int64_t seq_ = 0;
+  std::map<std::string, SocketChannel, std::less<>> channels_;
+  std::unique_ptr<SharedArrays> arrays_;
+};
+
+}  // namespace animado::rpc
