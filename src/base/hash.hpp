@@ -10,7 +10,7 @@
 
 namespace animado {
 
-// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC 9923). Bytes may be added in pieces: the value depends on their
+// FNV-1a, 64 bits (Fowler, Noll, Vo). Bytes may be added in pieces: the value depends on their
 // sequence alone.
 class Fnv1a {
  public:

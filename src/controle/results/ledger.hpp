@@ -2,9 +2,9 @@
 //
 //   E(final) = E(initial) + W − D(impacts) − D(friction) − D(damping) + residual,
 //
-// with E the kinetic energy of the dynamic bodies plus what contact springs store, and W the work that forces
-// and torques of the scene (gravity is one of them) and kinematic bodies did. The residual is what the
-// numbers made or lost: it tells how true a run is.
+// with E the kinetic energy of the dynamic bodies, their potential energy in the scene's uniform gravity and
+// what contact springs store; W the work of the scene's forces and torques. The residual is what the numbers
+// made or lost: it tells how true a run is.
 #pragma once
 
 namespace animado::controle {

@@ -6,8 +6,8 @@
 namespace animado::controle {
 namespace {
 
-// A ball of 2 kg is dropped from 5 m (g = 10 m/s²), bounces with ε = 0.5 and is looked at right after: 100 J
-// of work came in, three quarters of them went into the impact.
+// A ball is pushed from rest with 100 J, bounces with ε = 0.5 and is looked at right after: three quarters of
+// the energy went into the impact.
 TEST(EnergyLedger, ClosesOverABounce) {
   const EnergyLedger ledger{.initial_J = 0, .final_J = 25, .work_in_J = 100, .dissipated_impacts_J = 75};
   EXPECT_EQ(ledger.residual_J(), 0);
