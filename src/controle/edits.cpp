@@ -1,0 +1,71 @@
+#include "controle/edits.hpp"
+
+#include "base/error.hpp"
+#include "controle/scene/scope.hpp"
+
+namespace animado::controle {
+namespace {
+
+std::string text_of(const SceneScope& scope, const std::string& name) {
+  const auto symbol = scope.find(name);
+  assert(symbol);
+  return std::get<interexpserv::Definition>(*symbol).text;
+}
+
+std::string sum_of(const std::vector<Expression>& expressions) {
+  std::string text;
+  for (const Expression& expression : expressions)
+    text += (text.empty() ? "(" : " + (") + expression.text + ")";
+  return text.empty() ? "(0, 0, 0)" : text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> definitions_of(const Scene& scene) {
+  const SceneScope scope(scene);
+  std::vector<std::pair<std::string, std::string>> definitions;
+  for (const Body& body : scene.bodies) {
+    if (body.motion != Motion::dynamic) continue;
+    definitions.emplace_back(body.folded_name + ".mass", fmt::format("{:.17g}", body.mass_kg));
+    if (!body.local_forces.empty()) {
+      const std::string local = body.folded_name + ".local_force";
+      definitions.emplace_back(local, text_of(scope, local));
+    }
+    const std::string force = body.folded_name + ".force";
+    definitions.emplace_back(force, text_of(scope, force));
+    definitions.emplace_back(body.folded_name + ".torque", sum_of(body.torques));
+  }
+  for (const Definition& name : scene.names) definitions.emplace_back(name.name, name.value.text);
+  return definitions;
+}
+
+Scene edited(const Scene& scene, const std::string& name, const std::string& text) {
+  Scene changed = scene;
+  const size_t dot = name.find('.');
+  const int body = dot == std::string::npos ? -1 : scene.body_named(name.substr(0, dot));
+  const Expression expression{text, {}, body};
+  const std::string member = body < 0 ? "" : name.substr(dot + 1);
+  if (member == "force") {
+    changed.bodies[static_cast<size_t>(body)].forces = {expression};
+    changed.bodies[static_cast<size_t>(body)].local_forces.clear();  // the name stands for their sum
+    return changed;
+  }
+  if (member == "torque") {
+    changed.bodies[static_cast<size_t>(body)].torques = {expression};
+    return changed;
+  }
+  if (member == "mass" || member == "local_force") {
+    throw Error(Code::refused, "`" + name + "` cannot change while the run goes", name,
+                "Edit the force or the torque.");
+  }
+  const auto same = [&](const Definition& definition) { return definition.name == name; };
+  const auto found = std::find_if(changed.names.begin(), changed.names.end(), same);
+  if (found == changed.names.end()) {
+    changed.names.push_back({name, expression});
+  } else {
+    found->value = expression;
+  }
+  return changed;
+}
+
+}  // namespace animado::controle
