@@ -18,6 +18,10 @@ inline constexpr double kPushShare = 0.3;
 // No sub-step moves a body further than this to remove an overlap.
 inline constexpr double kLongestPush_m = 0.01;
 
+// Displacements that remove an overlap need no more than this relative precision: the next sub-step measures
+// again.
+inline constexpr double kPushTolerance = 1e-4;
+
 // The contact solver has converged when an iteration changes no relative velocity by more than this share of
 // the largest one. A box at rest on an incline then creeps by 1e-12 of h g, which adds up to nothing in any
 // run.
