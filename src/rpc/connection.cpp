@@ -62,6 +62,16 @@ void Connection::make_room() {
 
 Connection::Received Connection::receive() {
   make_room();
+  const ssize_t count = descriptors_ == Descriptors::taken
+                            ? receive_with_descriptor()
+                            : ::recv(fd_.get(), in_.data() + end_, in_.size() - end_, MSG_DONTWAIT);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Received::nothing;
+  if (count <= 0) return Received::closed;
+  end_ += static_cast<size_t>(count);
+  return Received::bytes;
+}
+
+ssize_t Connection::receive_with_descriptor() {
   DescriptorSpace space;
   iovec part{in_.data() + end_, in_.size() - end_};
   msghdr header{};
@@ -70,11 +80,8 @@ Connection::Received Connection::receive() {
   header.msg_control = space.bytes;
   header.msg_controllen = sizeof space.bytes;
   const ssize_t count = ::recvmsg(fd_.get(), &header, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Received::nothing;
-  if (count <= 0) return Received::closed;
-  if (header.msg_controllen > 0) received_ = descriptor_in(header);
-  end_ += static_cast<size_t>(count);
-  return Received::bytes;
+  if (count > 0 && header.msg_controllen > 0) received_ = descriptor_in(header);
+  return count;
 }
 
 bool Connection::next_message(std::string_view& message) {

@@ -12,6 +12,7 @@ namespace animado::rpc {
 namespace {
 
 constexpr size_t kMaxShown = 40;  // characters of a name from outside that a log line or an error repeats
+constexpr std::string_view kUnknown = "?";  // under which unknown messages are counted
 
 Hello::Reply answer_hello(const Hello::Request& request, const std::string& service) {
   if (request.protocol != kProtocolName || request.version != kProtocolVersion) {
@@ -95,50 +96,49 @@ const Service::Entry& Dispatcher::entry(std::string_view method) const {
                           fmt::join(known, ", ")));
 }
 
-void Dispatcher::run(const Service::Entry& entry, const void* request, void* reply, const Marks& marks,
-                     Call& call) {
-  const auto start = Clock::now();
-  const auto finish = [&](const Error* error) {
-    Count& count = counts_[entry.codec->name];
-    ++count.requests;
-    ++total_.requests;
-    count.errors += error != nullptr;
-    total_.errors += error != nullptr;
-    write_line(*entry.codec, request, marks, start, error);
-  };
+Dispatcher::Outcome Dispatcher::run(const Service::Entry& entry, const void* request, void* reply,
+                                    Call& call) {
+  const auto start = std::chrono::steady_clock::now();
+  Outcome outcome;
   try {
     entry.handler(request, reply, call);
   } catch (const Error& error) {
-    finish(&error);
-    throw;
+    outcome.error = error;
   } catch (const std::exception& exception) {
-    const Error error(Code::internal, exception.what(),
-                      fmt::format("{}.{}", service_.name(), entry.codec->name),
-                      "this is a bug of the service: please report it with its log");
-    finish(&error);
-    throw error;
+    outcome.error.emplace(Code::internal, exception.what(),
+                          fmt::format("{}.{}", service_.name(), entry.codec->name),
+                          "this is a bug of the service: please report it with its log");
   }
-  finish(nullptr);
+  outcome.time = std::chrono::steady_clock::now() - start;
+  return outcome;
+}
+
+void Dispatcher::count(std::string_view message, bool failed) {
+  for (Count* count : {&total_, &counts_[message]}) {
+    ++count->requests;
+    count->errors += failed;
+  }
 }
 
 void Dispatcher::refuse(std::string_view method, const Marks& marks, const Error& error) {
-  ++total_.requests;
-  ++total_.errors;
-  if (const Service::Entry* found = service_.find(method)) {
-    Count& count = counts_[found->codec->name];
-    ++count.requests;
-    ++count.errors;
-  }
-  const MessageCodec unread{method, {}, type_of<Nothing>(), type_of<Nothing>()};
+  // Only names that are known are counted by name: a client must not fill our memory with others.
+  const Service::Entry* found = service_.find(method);
+  count(found ? found->codec->name : kUnknown, true);
+  const Type& unread = type_of<Nothing>();
   const Nothing nothing;
-  write_line(unread, &nothing, marks, Clock::now(), &error);
+  write_line({method, {}, unread, unread}, &nothing, marks, {error, {}});
+}
+
+void Dispatcher::record(const MessageCodec& codec, const void* request, const Marks& marks,
+                        const Outcome& outcome) {
+  count(codec.name, outcome.error.has_value());
+  write_line(codec, request, marks, outcome);
 }
 
 void Dispatcher::write_line(const MessageCodec& codec, const void* request, const Marks& marks,
-                            Clock::time_point start, const Error* error) {
-  const LogLevel level = error ? LogLevel::warning : LogLevel::info;
+                            const Outcome& outcome) {
+  const LogLevel level = outcome.error ? LogLevel::warning : LogLevel::info;
   if (!log_.enabled(level)) return;
-  const double micros = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
   trace_.clear();
   append_printable(marks.trace.empty() ? "-" : marks.trace.substr(0, kMaxShown), trace_);
   fmt::format_to(std::back_inserter(trace_), "#{}", marks.seq);
@@ -147,11 +147,11 @@ void Dispatcher::write_line(const MessageCodec& codec, const void* request, cons
   line_ += ' ';
   summarize(codec.request, request, line_);
   if (line_.back() != ' ') line_ += ' ';
-  fmt::format_to(std::back_inserter(line_), "{:.1f} µs ", micros);
-  if (error) {
-    line_ += name_of(error->code());
+  fmt::format_to(std::back_inserter(line_), "{:.1f} µs ", 1e-3 * static_cast<double>(outcome.time.count()));
+  if (outcome.error) {
+    line_ += name_of(outcome.error->code());
     line_ += ": ";
-    append_printable(error->what(), line_);
+    append_printable(outcome.error->what(), line_);
   } else {
     line_ += "ok";
   }

@@ -52,8 +52,16 @@ class Dispatcher {
   // The row of a message. Throws unknown_method with the nearest name.
   const Service::Entry& entry(std::string_view method) const;
 
-  // Calls the handler. Throws Error and nothing else.
-  void run(const Service::Entry& entry, const void* request, void* reply, const Marks& marks, Call& call);
+  // How a request ended.
+  struct Outcome {
+    std::optional<Error> error;
+    std::chrono::nanoseconds time{};
+  };
+
+  // Calls the handler; whatever it throws becomes an Error. Counting and logging are a step of their own, so
+  // that they happen while the reply is on its way.
+  Outcome run(const Service::Entry& entry, const void* request, void* reply, Call& call);
+  void record(const MessageCodec& codec, const void* request, const Marks& marks, const Outcome& outcome);
 
   // For a request that never reached a handler: counts and logs it.
   void refuse(std::string_view method, const Marks& marks, const Error& error);
@@ -62,11 +70,10 @@ class Dispatcher {
   struct Count {
     int64_t requests = 0, errors = 0;
   };
-  using Clock = std::chrono::steady_clock;
 
   void add_common();
-  void write_line(const MessageCodec& codec, const void* request, const Marks& marks, Clock::time_point start,
-                  const Error* error);
+  void count(std::string_view message, bool failed);
+  void write_line(const MessageCodec& codec, const void* request, const Marks& marks, const Outcome& outcome);
 
   Service& service_;
   Suite& suite_;

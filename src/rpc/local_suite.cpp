@@ -46,7 +46,9 @@ void LocalChannel::exchange(const MessageCodec& message, const void* request, vo
   const Marks marks{trace_, ++seq_};
   ServedCall call(kTheConnection, dispatcher_.suite());
   call.set_incoming(std::move(given_));
-  dispatcher_.run(find(message, marks), request, reply, marks, call);
+  const Dispatcher::Outcome outcome = dispatcher_.run(find(message, marks), request, reply, call);
+  dispatcher_.record(message, request, marks, outcome);
+  if (outcome.error) throw Error(*outcome.error);
   received_ = duplicate(call.outgoing());
 }
 

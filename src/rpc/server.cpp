@@ -96,7 +96,8 @@ void Server::accept_all() {
     } else if (peers_.size() == kMaxPeers) {
       dispatcher_.log().warn(fmt::format("a client was turned away: {} are connected", kMaxPeers));
     } else {
-      peers_.emplace_back(std::move(fd), next_id_++);
+      const bool adopts = dispatcher_.service().find(ArrayAdopt::name) != nullptr;
+      peers_.emplace_back(std::move(fd), adopts ? Descriptors::taken : Descriptors::discarded, next_id_++);
     }
   }
 }
@@ -122,16 +123,13 @@ void Server::serve_messages(Peer& peer) {
       envelope = {};
       read_envelope(message, envelope);
       answer(peer, envelope);
-      if (!peer.connection.flush()) peer.ending = true;
     }
   } catch (const Error& error) {
     // Not MessagePack-RPC, or too much of it: where the next message begins is unknown, so the connection
     // ends.
     if (envelope.id == 0) envelope.id = id_in(peer.connection.unread());
     dispatcher_.refuse(envelope.method, {peer.trace, envelope.id}, error);
-    Encoder out(peer.connection.out());
-    write_error(envelope.id, error, out);
-    peer.connection.flush();
+    send_error(peer, envelope, error);
     peer.ending = true;
   }
 }
@@ -141,58 +139,70 @@ void Server::answer(Peer& peer, const Envelope& envelope) {
     throw Error(Code::protocol, "a reply to a question that was not asked", {},
                 "send requests: [0, id, method, [params]]");
   }
-  try {
-    call(peer, envelope);
-  } catch (const Error& error) {
-    if (envelope.kind == Envelope::Kind::notification) return;
-    Encoder out(peer.connection.out());
-    write_error(envelope.id, error, out);
-  }
-}
-
-Value Server::read_request(const Peer& peer, const Envelope& envelope, const Service::Entry*& entry,
-                           Decoder& in) {
-  try {
-    entry = &dispatcher_.entry(envelope.method);
-    if (!peer.greeted && envelope.method != Hello::name) {
-      throw Error(Code::protocol, fmt::format("'{}' came before hello", entry->codec->name),
-                  dispatcher_.service().name(),
-                  fmt::format("open the connection with hello {{protocol: '{}', version: {}}}", kProtocolName,
-                              kProtocolVersion));
-    }
-    Value request = entry->codec->request.make();
-    unpack(entry->codec->request, in, request.get(), entry->codec->name);
-    return request;
-  } catch (const Error& error) {
-    dispatcher_.refuse(envelope.method, in.marks, error);
-    throw;
-  }
-}
-
-void Server::call(Peer& peer, const Envelope& envelope) {
   Decoder in(envelope.body, Numbers::finite);
   in.marks = {peer.trace, envelope.id};
-  const Service::Entry* entry = nullptr;
-  const Value request = read_request(peer, envelope, entry, in);
-  const Value reply = entry->codec->reply.make();
+  try {
+    const Service::Entry& entry = entry_for(peer, envelope.method);
+    const Value request = entry.codec->request.make();
+    unpack(entry.codec->request, in, request.get(), entry.codec->name);
+    call(peer, envelope, entry, request.get(), in.marks);
+  } catch (const Error& error) {
+    dispatcher_.refuse(envelope.method, in.marks, error);
+    send_error(peer, envelope, error);
+  }
+}
+
+const Service::Entry& Server::entry_for(const Peer& peer, std::string_view method) const {
+  const Service::Entry& entry = dispatcher_.entry(method);
+  if (peer.greeted || method == Hello::name) return entry;
+  throw Error(Code::protocol, fmt::format("'{}' came before hello", method), dispatcher_.service().name(),
+              fmt::format("open the connection with hello {{protocol: '{}', version: {}}}", kProtocolName,
+                          kProtocolVersion));
+}
+
+void Server::call(Peer& peer, const Envelope& envelope, const Service::Entry& entry, const void* request,
+                  const Marks& marks) {
+  const Value reply = entry.codec->reply.make();
   ServedCall call(peer.id, dispatcher_.suite());
   call.set_incoming(peer.connection.take_descriptor());
-  dispatcher_.run(*entry, request.get(), reply.get(), in.marks, call);
-  if (!peer.greeted) {
-    peer.greeted = true;
-    peer.trace = static_cast<const Hello::Request*>(request.get())->trace;
+  const Dispatcher::Outcome outcome = dispatcher_.run(entry, request, reply.get(), call);
+  if (outcome.error) {
+    send_error(peer, envelope, *outcome.error);
+  } else {
+    if (!peer.greeted) greet(peer, *static_cast<const Hello::Request*>(request));
+    if (call.outgoing() >= 0) peer.connection.attach(call.outgoing());
+    send_result(peer, envelope, entry.codec->reply, reply.get());
   }
+  dispatcher_.record(*entry.codec, request, marks, outcome);
+}
+
+void Server::greet(Peer& peer, const Hello::Request& hello) {
+  peer.greeted = true;
+  peer.trace = hello.trace;
+}
+
+void Server::send_result(Peer& peer, const Envelope& envelope, const Type& type, const void* reply) {
   if (envelope.kind == Envelope::Kind::notification) return;
-  const size_t before = peer.connection.out().size();
-  Encoder out(peer.connection.out());
+  std::string& bytes = peer.connection.out();
+  const size_t before = bytes.size();
+  Encoder out(bytes);
   begin_result(envelope.id, out);
-  pack(entry->codec->reply, reply.get(), out);
-  if (peer.connection.out().size() - before > kMaxMessageBytes) {
-    peer.connection.out().resize(before);
-    throw Error(Code::limit, fmt::format("the reply would hold more than {} bytes", kMaxMessageBytes),
-                std::string(entry->codec->name), "name a shared array in the field out, or ask for less");
+  pack(type, reply, out);
+  if (bytes.size() - before > kMaxMessageBytes) {
+    bytes.resize(before);
+    return send_error(
+        peer, envelope,
+        {Code::limit, fmt::format("the reply would hold more than {} bytes", kMaxMessageBytes),
+         std::string(envelope.method), "name a shared array in the field out, or ask for less"});
   }
-  if (call.outgoing() >= 0) peer.connection.attach(call.outgoing());
+  peer.ending |= !peer.connection.flush();
+}
+
+void Server::send_error(Peer& peer, const Envelope& envelope, const Error& error) {
+  if (envelope.kind == Envelope::Kind::notification) return;
+  Encoder out(peer.connection.out());
+  write_error(envelope.id, error, out);
+  peer.ending |= !peer.connection.flush();
 }
 
 void Server::drop_ended() {

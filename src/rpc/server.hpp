@@ -39,7 +39,8 @@ class Server {
 
  private:
   struct Peer {
-    Peer(UniqueFd fd, ConnectionId number) : connection(std::move(fd)), id(number) {}
+    Peer(UniqueFd fd, Descriptors descriptors, ConnectionId number)
+        : connection(std::move(fd), descriptors), id(number) {}
     Connection connection;
     ConnectionId id;
     bool greeted = false, ending = false;
@@ -53,8 +54,12 @@ class Server {
   bool serve(Peer& peer);  // true when something came
   void serve_messages(Peer& peer);
   void answer(Peer& peer, const Envelope& envelope);
-  Value read_request(const Peer& peer, const Envelope& envelope, const Service::Entry*& entry, Decoder& in);
-  void call(Peer& peer, const Envelope& envelope);
+  const Service::Entry& entry_for(const Peer& peer, std::string_view method) const;
+  void call(Peer& peer, const Envelope& envelope, const Service::Entry& entry, const void* request,
+            const Marks& marks);
+  void greet(Peer& peer, const Hello::Request& hello);
+  void send_result(Peer& peer, const Envelope& envelope, const Type& type, const void* reply);
+  void send_error(Peer& peer, const Envelope& envelope, const Error& error);
   void drop_ended();
   bool notify(ConnectionId id, const MessageCodec& message, const void* request);
 

@@ -115,7 +115,7 @@ std::filesystem::path SocketChannel::find_socket() {
 void SocketChannel::connect() {
   UniqueFd fd = connect_to(find_socket());
   if (!fd) throw Broken{};
-  connection_.emplace(std::move(fd));
+  connection_.emplace(std::move(fd), service_ == kWellKnown ? Descriptors::taken : Descriptors::discarded);
   notifications_.clear();
   try {
     say_hello();
@@ -144,16 +144,18 @@ void SocketChannel::send(Clock::time_point deadline, std::string_view method) {
   }
 }
 
-// Brings more bytes; false when none came in time.
+// Takes the bytes that are there; false when there are none.
+bool SocketChannel::receive_now() {
+  const auto received = connection_->receive();
+  if (received == Connection::Received::closed) throw Broken{};
+  return received == Connection::Received::bytes;
+}
+
+// Waits for bytes; false when none came in time.
 bool SocketChannel::receive(Clock::time_point deadline) {
-  const auto attempt = [this] {
-    const auto received = connection_->receive();
-    if (received == Connection::Received::closed) throw Broken{};
-    return received == Connection::Received::bytes;
-  };
-  if (Clock::now() >= deadline) return attempt();
+  const auto attempt = [this] { return receive_now(); };
   return poll_briefly(attempt) ||
-         (wait_until(connection_->fd(), POLLIN, deadline) && (attempt() || Clock::now() < deadline));
+         (wait_until(connection_->fd(), POLLIN, deadline) && (receive_now() || Clock::now() < deadline));
 }
 
 // Takes the next message that is there. A peer that sends something else loses the connection.
@@ -214,7 +216,7 @@ bool SocketChannel::next_notification(const MessageCodec& message, void* request
   try {
     if (!connection_) throw Broken{};
     while (!take()) {
-      if (!receive(deadline)) return false;
+      if (!(timeout_s > 0 ? receive(deadline) : receive_now())) return false;
       Envelope envelope;
       std::string_view text;
       while (next_envelope(envelope, text)) notifications_.emplace_back(text);
