@@ -56,7 +56,12 @@ class ArrayTable {
              ConnectionId owner) {
     if (!fd)
       throw Error(Code::bad_params, "no descriptor came with the request", name, "send it with SCM_RIGHTS");
-    if (!arrays_.contains(name)) add(name, SharedArray(std::move(fd), shape, name), owner);
+    const auto known = arrays_.find(name);
+    if (known == arrays_.end()) {
+      add(name, SharedArray(std::move(fd), shape, name), owner);
+    } else {
+      known->second.owner = owner;  // its former connection ended, and nobody has noticed yet
+    }
   }
 
   const SharedArray& find(const std::string& name) const {
