@@ -2,19 +2,21 @@
 
 namespace animado {
 
-ExitCode exit_code_of(Code code) {
-  switch (code) {
-    case Code::refused:
-      return kRefused;
-    case Code::diverged:
-      return kDiverged;
-    case Code::unavailable:
-    case Code::protocol:
-    case Code::internal:
-      return kLost;
-    default:
-      return kUsage;
-  }
+namespace {
+
+bool is_lost(Code code) {
+  return code == Code::unavailable || code == Code::protocol || code == Code::internal;
+}
+
+}  // namespace
+
+ExitCode exit_code_of_run(Code code) {
+  if (code == Code::diverged) return kDiverged;
+  return is_lost(code) ? kLost : kRefused;
+}
+
+ExitCode exit_code_of_call(Code code) {
+  return is_lost(code) ? kLost : kUsage;
 }
 
 }  // namespace animado

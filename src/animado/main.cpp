@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     return line.app.exit(error) == 0 ? kDone : kUsage;
   } catch (const Error& error) {
     print_error(error);
-    return exit_code_of(error.code());
+    return exit_code_of_call(error.code());
   }
   return line.exit_code;
 }

@@ -32,7 +32,7 @@ ExitCode run_in_process(const RunRequest& request) {
     return summary.status == controle::RunStatus::interrupted ? kInterrupted : kDone;
   } catch (const Error& error) {
     print_error(error);
-    return exit_code_of(error.code());
+    return exit_code_of_run(error.code());
   }
 }
 

@@ -13,6 +13,7 @@
 #include "animado/supervisor.hpp"
 #include "animado/terminal.hpp"
 #include "base/error.hpp"
+#include "rpc/common.hpp"
 
 namespace animado {
 
@@ -45,19 +46,26 @@ class FiveProcesses {
 
  private:
   void start(const std::string& service);
+  bool is_registered(const std::string& service);
   bool wait_until_registered(const std::string& service);
   ExitCode controle_ended(int status) const;
 
   const RunRequest& request_;
   const fs::path logs_;
   SocketDirectory sockets_;
+  rpc::SocketSuite probe_;
   Supervisor supervisor_;
   controle::Progress last_progress_;
   std::vector<Restart> restarts_;
 };
 
 FiveProcesses::FiveProcesses(const RunRequest& request)
-    : request_(request), logs_(request.directory / "logs"), sockets_(request.name), supervisor_(logs_) {
+    : request_(request),
+      logs_(request.directory / "logs"),
+      sockets_(request.name),
+      // It asks whether services are there yet: no is an answer, not something to wait for.
+      probe_({.directory = sockets_.path(), .client = "animado", .trace = {}, .reconnect_s = 0}),
+      supervisor_(logs_) {
   supervisor_.on_death = [this](const Death& death) {
     print_note(fmt::format("{} ended with status {}; it is started again", death.service, death.status));
     restarts_.push_back({last_progress_.time_s, death.service});
@@ -82,8 +90,16 @@ bool FiveProcesses::start_services() {
                              [this](const std::string& service) { return wait_until_registered(service); });
 }
 
+bool FiveProcesses::is_registered(const std::string& service) try {
+  probe_.channel(service).call<rpc::Ping>({});
+  return true;
+} catch (const Error& error) {
+  if (error.code() == Code::unavailable) return false;
+  throw;
+}
+
 bool FiveProcesses::wait_until_registered(const std::string& service) {
-  while (!is_registered(sockets_.path(), service)) {
+  while (!is_registered(service)) {
     supervisor_.wait({}, kLookAgain_ms);
     if (supervisor_.interruptions() > 0) return false;
   }

@@ -1,0 +1,37 @@
+// animado protocol: the manual page of every message, made from the lists that the programs themselves are
+// made from.
+#include "animado/commands.hpp"
+#include "colisao/protocol.hpp"
+#include "egesp/protocol.hpp"
+#include "fred/protocol.hpp"
+#include "interexpserv/protocol.hpp"
+#include "rpc/manual_page.hpp"
+
+namespace animado {
+
+namespace {
+
+template <class Messages>
+std::string page(std::string_view service, std::string_view introduction) {
+  return rpc::manual_page(service, introduction, rpc::codecs<Messages>());
+}
+
+}  // namespace
+
+void add_protocol_command(CommandLine& line) {
+  CLI::App& command = add_command(line, "protocol", "Print docs/protocol.md: all messages of all services",
+                                  "  animado protocol > docs/protocol.md\n");
+  command.callback([] {
+    fmt::print(
+        "{}{}{}{}{}", rpc::common_pages(),
+        page<interexpserv::Messages>(
+            "interexpserv",
+            "Started first, at the one well-known address: who offers what, named values and "
+            "expressions, shared arrays."),
+        page<egesp::Messages>("egesp", "Solves systems of linear equations. It knows no physics."),
+        page<fred::Messages>("fred", "Integrates ordinary differential equations. It knows no physics."),
+        page<colisao::Messages>("colisao", "Finds collisions and answers them."));
+  });
+}
+
+}  // namespace animado

@@ -1,0 +1,86 @@
+#include "animado/running_suite.hpp"
+
+#include "base/error.hpp"
+#include "rpc/endpoint.hpp"
+
+namespace animado {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kLongestRunName = 40;  // a socket's path has at most 107 bytes, whatever the scene is called
+constexpr double kComeback_s = 2;  // a service that was killed is back sooner; a suite that ended never is
+
+bool is_alive(const fs::path& directory) {
+  return static_cast<bool>(rpc::connect_to(rpc::socket_path(directory, rpc::kWellKnown, 0)));
+}
+
+std::string fitting(const std::string& run) {
+  std::string name = run.size() <= kLongestRunName ? run : run.substr(run.size() - kLongestRunName);
+  std::ranges::replace(name, '/', '-');
+  return name;
+}
+
+// The directory of the run that started last among those that are alive; empty when there is none.
+fs::path latest_run() {
+  if (std::getenv("ANIMADO_SOCKET_DIR") != nullptr) return rpc::socket_directory();
+  fs::path latest;
+  fs::file_time_type latest_time = fs::file_time_type::min();
+  std::error_code nothing_there;
+  for (const auto& entry : fs::directory_iterator(rpc::socket_directory().parent_path(), nothing_there)) {
+    const fs::path socket = rpc::socket_path(entry.path(), rpc::kWellKnown, 0);
+    std::error_code gone;
+    const auto time = fs::last_write_time(socket, gone);
+    if (gone || time <= latest_time || !is_alive(entry.path())) continue;
+    latest = entry.path();
+    latest_time = time;
+  }
+  return latest;
+}
+
+fs::path chosen_directory(const SuiteChoice& choice) {
+  if (!choice.socket_dir.empty()) return choice.socket_dir;
+  if (!choice.run.empty()) return rpc::socket_directory(fitting(choice.run));
+  return latest_run();
+}
+
+}  // namespace
+
+SocketDirectory::SocketDirectory(const std::string& run)
+    : path_(rpc::socket_directory(fitting(run))), made_here_(!fs::exists(path_)) {
+  if (is_alive(path_)) {
+    throw Error(Code::conflict, "a suite is running there already", path_.string(),
+                "give the run another name with --run");
+  }
+  rpc::prepare_directory(path_);
+}
+
+SocketDirectory::~SocketDirectory() {
+  std::error_code ignored;  // what is left is cleared away by the next run of the same name
+  if (made_here_) fs::remove_all(path_, ignored);
+}
+
+void add_suite_choice(CLI::App& command, SuiteChoice& choice) {
+  command.add_option("--run", choice.run, "Name of the run (default: the one that started last)");
+  command.add_option("--socket-dir", choice.socket_dir, "Directory of the run's sockets");
+}
+
+std::unique_ptr<rpc::SocketSuite> find_suite(const SuiteChoice& choice) {
+  const fs::path directory = chosen_directory(choice);
+  if (directory.empty() || !is_alive(directory)) return nullptr;
+  return std::make_unique<rpc::SocketSuite>(rpc::SocketSuite::Options{
+      .directory = directory, .client = "animado", .trace = {}, .reconnect_s = kComeback_s});
+}
+
+std::unique_ptr<rpc::SocketSuite> connect_to_suite(const SuiteChoice& choice) {
+  if (auto suite = find_suite(choice)) return suite;
+  const std::string what = choice.run.empty() && choice.socket_dir.empty()
+                               ? "no suite is running"
+                               : fmt::format("no suite is running in {}", chosen_directory(choice).string());
+  throw Error(
+      Code::unavailable, what, {},
+      "start one with `animado run SCENE`, or with --keep-services to have it stay after the scene's end");
+}
+
+}  // namespace animado

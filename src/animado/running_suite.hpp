@@ -1,0 +1,39 @@
+// The suites that run on this machine, by the directories of their sockets.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "rpc/socket_suite.hpp"
+
+namespace animado {
+
+// The socket directory of a run that starts here; what it holds goes when the run ends.
+class SocketDirectory {
+ public:
+  explicit SocketDirectory(const std::string& run);
+  ~SocketDirectory();
+  SocketDirectory(const SocketDirectory&) = delete;
+  SocketDirectory& operator=(const SocketDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  bool made_here_;
+};
+
+// Which suite a command speaks to.
+struct SuiteChoice {
+  std::string run, socket_dir;
+};
+void add_suite_choice(CLI::App& command, SuiteChoice& choice);  // --run, --socket-dir
+
+// The chosen suite, the one that was started last when none is chosen. Throws Error(unavailable) when there
+// is none.
+std::unique_ptr<rpc::SocketSuite> connect_to_suite(const SuiteChoice& choice);
+std::unique_ptr<rpc::SocketSuite> find_suite(const SuiteChoice& choice);  // null when there is none
+
+}  // namespace animado

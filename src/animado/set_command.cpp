@@ -1,0 +1,36 @@
+// animado set: defines names by expressions, while a run is going.
+#include "animado/commands.hpp"
+#include "animado/running_suite.hpp"
+#include "interexpserv/client.hpp"
+
+namespace animado {
+
+namespace {
+
+struct Options {
+  SuiteChoice suite;
+  std::vector<std::string> words;
+};
+
+}  // namespace
+
+void add_set_command(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      add_command(line, "set", "Define names by expressions",
+                  "  animado set ball.force \"(0, -9.81*mass, 0)\"\n"
+                  "  animado set spring.k \"4*pi^2*ball.mass\" spring.x0 0.5    both or none\n\n"
+                  "A run takes the change at its next frame, and writes it down in events.jsonl.\n");
+  command.add_option("name expression", options->words, "Names, each with its expression")->required();
+  add_suite_choice(command, options->suite);
+  command.callback([options] {
+    if (options->words.size() % 2 != 0) throw CLI::ValidationError("set", "each name needs an expression");
+    std::vector<interexpserv::Define::Definition> definitions;
+    for (size_t i = 0; i < options->words.size(); i += 2) {
+      definitions.push_back({options->words[i], options->words[i + 1]});
+    }
+    interexpserv::Client(*connect_to_suite(options->suite)).define(std::move(definitions));
+  });
+}
+
+}  // namespace animado

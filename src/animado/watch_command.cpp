@@ -1,0 +1,89 @@
+// animado watch: tells the values of names whenever they change.
+#include <limits>
+#include <map>
+
+#include "animado/commands.hpp"
+#include "animado/running_suite.hpp"
+#include "animado/value_text.hpp"
+#include "base/error.hpp"
+#include "interexpserv/client.hpp"
+
+namespace animado {
+
+namespace {
+
+struct Options {
+  SuiteChoice suite;
+  std::vector<std::string> names;
+  double every_s = 0.1;
+  int64_t count = std::numeric_limits<int64_t>::max();
+  bool json = false;
+};
+
+class Watcher {
+ public:
+  explicit Watcher(const Options& options)
+      : options_(options), suite_(connect_to_suite(options.suite)), interexpserv_(*suite_) {
+    for (const std::string& name : options.names) interexpserv_.watch(name);
+  }
+
+  // Until enough was told, or the suite ends.
+  void run() {
+    while (told_ < options_.count) {
+      for (const std::string& name : options_.names) tell(interexpserv_.get(name));
+      std::fflush(stdout);
+      wait();
+    }
+  }
+
+ private:
+  void tell(const interexpserv::NameState& name) {
+    const std::string value = value_text(name.type, name.values);
+    std::string& last = last_[name.name];
+    if (value == last || told_ == options_.count) return;
+    last = value;
+    ++told_;
+    fmt::print("{}\n", options_.json ? name_json(name).dump() : fmt::format("{} = {}", name.name, value));
+  }
+
+  // A definition that changes wakes us; values in shared arrays change without notice, and are looked at
+  // again.
+  void wait() {
+    interexpserv::NameState change;
+    if (told_ < options_.count) interexpserv_.wait_change(change, options_.every_s);
+  }
+
+  const Options& options_;
+  std::unique_ptr<rpc::SocketSuite> suite_;
+  interexpserv::Client interexpserv_;
+  std::map<std::string, std::string> last_;
+  int64_t told_ = 0;
+};
+
+void watch(const Options& options) {
+  Watcher watcher(options);
+  try {
+    watcher.run();
+  } catch (const Error& error) {
+    if (error.code() != Code::unavailable) throw;  // the suite has ended, and so does this
+  }
+}
+
+}  // namespace
+
+void add_watch_command(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(line, "watch", "Tell values whenever they change, until the suite ends",
+                                  "  animado watch ball.position\n"
+                                  "  animado watch t ball.velocity --every 1\n"
+                                  "  animado watch spring.k --count 10\n");
+  command.add_option("name", options->names, "Names")->required();
+  command.add_option("--every", options->every_s, "Seconds between looks at what moves")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--count", options->count, "Lines to tell")->check(CLI::PositiveNumber);
+  command.add_flag("--json", options->json, "An object a line");
+  add_suite_choice(command, options->suite);
+  command.callback([options] { watch(*options); });
+}
+
+}  // namespace animado

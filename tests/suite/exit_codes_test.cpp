@@ -1,0 +1,170 @@
+// The exit codes of `animado`, each with what it prints and leaves (design, section 8).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "command.hpp"
+
+namespace animado::suite {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr auto kTwoFrames = R"(
+object ball
+shape sphere(radius=1)
+mass 1
+velocity (1, 0, 0)
+time
+start 0
+end 0.1
+step 0.1
+)";
+
+// The force grows without bound: x'' = 1e6 x³ reaches infinity in a finite time.
+constexpr auto kDiverging = R"(
+object ball
+shape sphere(radius=1)
+mass 1
+position (1, 0, 0)
+force (1e6*ball.position.x^3, 0, 0)
+time
+start 0
+end 10
+step 0.1
+)";
+
+constexpr auto kLong = R"(
+object ball
+shape sphere(radius=1)
+mass 1
+velocity (1, 0, 0)
+time
+start 0
+end 100000
+step 0.1
+)";
+
+class ExitCodes : public testing::Test {
+ protected:
+  std::string scene(const std::string& text) { return write_text(directory_ / "scene.animado", text); }
+  TemporaryDirectory directory_;
+};
+
+class BothWays : public ExitCodes, public testing::WithParamInterface<bool> {
+ protected:
+  Words run_words(const std::string& scene_text, Words more = {}) {
+    Words words = {"run", scene(scene_text)};
+    if (GetParam()) words.push_back("--in-process");
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Run, BothWays, testing::Bool(),
+                         [](const auto& way) { return way.param ? "InProcess" : "Sockets"; });
+
+TEST_P(BothWays, ZeroWhenDoneWithTheFilesOfARun) {
+  const Outcome outcome = Command(directory_, run_words(kTwoFrames)).finish();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("results in runs/scene"));
+  for (const std::string file :
+       {"states.csv", "events.jsonl", "summary.json", "animation.glb", "logs/interexpserv.log",
+        "logs/egesp.log", "logs/fred.log", "logs/colisao.log"}) {
+    EXPECT_TRUE(fs::exists(directory_ / "runs/scene" / file)) << file;
+  }
+  // The results, and nothing beside them.
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory_ / "runs"), fs::directory_iterator()), 1);
+}
+
+TEST_P(BothWays, ThreeWhenTheSceneIsRefusedBeforeAnythingIsMade) {
+  const Outcome outcome =
+      Command(directory_, run_words("object ball\nshape sphere(radius=1)\nmas 1\n")).finish();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("scene.animado:3:1"));
+  EXPECT_THAT(outcome.err, HasSubstr("mass"));
+  EXPECT_FALSE(fs::exists(directory_ / "runs"));
+}
+
+TEST_P(BothWays, FourWhenTheMotionDivergesWithTheFramesSoFar) {
+  const Outcome outcome = Command(directory_, run_words(kDiverging)).finish();
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("ball"));
+  EXPECT_THAT(text_of(directory_ / "runs/scene/summary.json"), HasSubstr("\"diverged\""));
+}
+
+TEST_P(BothWays, HundredAndThirtyWhenInterruptedWithUsableResults) {
+  Command command(directory_, run_words(kLong));
+  const fs::path partial = directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());
+  const auto under_way = [&] {
+    return text_of(partial / "logs/fred.log").find(" stage ") != std::string::npos;
+  };
+  ASSERT_TRUE(wait_until(under_way, [&] { return !command.running(); })) << command.err();
+  command.signal(SIGINT);
+  const Outcome outcome = command.finish();
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(text_of(directory_ / "runs/scene/summary.json"), HasSubstr("\"interrupted\""));
+  const std::string states = text_of(directory_ / "runs/scene/states.csv");
+  EXPECT_TRUE(states.ends_with('\n'));
+  EXPECT_GE(std::ranges::count(states, '\n'), 2);
+  EXPECT_FALSE(fs::exists(partial));
+}
+
+TEST_P(BothWays, PrintsTheSummaryOnStdoutForPrograms) {
+  const Outcome outcome = Command(directory_, run_words(kTwoFrames, {"--json", "--quiet"})).finish();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("frames"), 2);
+}
+
+TEST_F(ExitCodes, TwoForACommandLineThatMakesNoSense) {
+  EXPECT_EQ(animado({}).code, 2);
+  EXPECT_EQ(animado({"fly"}).code, 2);
+  EXPECT_EQ(animado({"run"}).code, 2);
+  EXPECT_EQ(animado({"run", "scene", "--in-process", "--keep-services"}).code, 2);
+}
+
+TEST_F(ExitCodes, TwoWhenTheResultsWouldReplaceSomethingElse) {
+  write_text(directory_ / "letter", "dear");
+  const Outcome outcome =
+      Command(directory_, {"run", scene(kTwoFrames), "--out", directory_.path()}).finish();
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(text_of(directory_ / "letter"), "dear");
+}
+
+TEST_F(ExitCodes, FiveWhenNoSuiteRuns) {
+  const Outcome outcome = animado({"ps", "--socket-dir", directory_.path()});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("animado run"));
+}
+
+// A build whose fred ends at once.
+TEST_F(ExitCodes, FiveWhenAServiceCannotBeBroughtBackWithItsLastLines) {
+  const auto programs = directory_ / "bin";
+  fs::create_directory(programs);
+  fs::copy(kAnimado,
+           programs / "animado");  // it looks for the others beside itself, not beside a link's target
+  for (const std::string name : {"interexpserv", "egesp", "colisao", "controle"}) {
+    fs::create_symlink(fs::path(ANIMADO_BIN_DIR) / name, programs / name);
+  }
+  write_text(programs / "fred", "#!/bin/sh\necho no tableaus here\nexit 1\n");
+  fs::permissions(programs / "fred", fs::perms::owner_all);
+  const Outcome outcome = Command(directory_, {"run", scene(kTwoFrames)}, programs / "animado").finish();
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("fred died 5 times"));
+  EXPECT_THAT(outcome.err, HasSubstr("no tableaus here"));
+  EXPECT_FALSE(fs::exists(directory_ / "runs/scene"));
+}
+
+TEST_F(ExitCodes, HelpOpensWithExamples) {
+  for (const std::string name :
+       {"run", "check", "ps", "ping", "get", "set", "eval", "watch", "call", "protocol"}) {
+    const Outcome outcome = animado({name, "--help"});
+    EXPECT_EQ(outcome.code, 0) << name;
+    EXPECT_THAT(outcome.out, testing::StartsWith("  animado " + name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace animado::suite

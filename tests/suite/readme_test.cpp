@@ -1,0 +1,78 @@
+// What README.md and docs/ say is so.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+#include "services.hpp"
+
+namespace animado::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSource = ANIMADO_SOURCE_DIR;
+
+// The code blocks of a page that open with ```LANGUAGE.
+std::vector<std::string> blocks(const fs::path& page, const std::string& language) {
+  const std::string text = text_of(page), opening = "\n```" + language + "\n", closing = "\n```";
+  std::vector<std::string> found;
+  for (size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    const size_t begin = at + opening.size();
+    at = text.find(closing, begin);
+    found.push_back(text.substr(begin, at + 1 - begin));
+    at += closing.size();
+  }
+  return found;
+}
+
+TEST(Readme, ShowsTheExampleInPythonAsItIs) {
+  const auto shown = blocks(kSource / "README.md", "python");
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_EQ(shown[0], text_of(kSource / "docs/examples/solve.py"));
+}
+
+TEST(Readme, TheExampleInPythonSolvesItsEquations) {
+  Services services;
+  const TemporaryDirectory directory;
+  const Words words = {kSource / "docs/examples/solve.py", services.socket("interexpserv")};
+  // Debian's own: it has python3-msgpack.
+  const Outcome outcome = Command(directory, words, "/usr/bin/python3").finish();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "(0.8, 1.4)\n");
+}
+
+TEST(Readme, TheCallOnTheCommandLineDoesTheSame) {
+  Services services;
+  const Outcome outcome = animado(
+      {"call", "egesp", "solve", "--socket-dir", services.directory(),
+       R"({"matrices": {"shape": [2, 2], "data": [2, 1, 1, 3]}, "right_sides": {"shape": [2], "data": [3, 5]}})"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto solutions = nlohmann::json::parse(outcome.out).at("solutions");
+  EXPECT_EQ(solutions.at("shape"), (std::vector<int>{2}));
+  EXPECT_NEAR(solutions.at("data").at(0), 0.8, 1e-15);
+  EXPECT_NEAR(solutions.at("data").at(1), 1.4, 1e-15);
+}
+
+TEST(Readme, ItsSceneIsOne) {
+  const auto scenes = blocks(kSource / "README.md", "");
+  ASSERT_GE(scenes.size(), 1u);
+  const TemporaryDirectory directory;
+  const Outcome outcome = animado({"check", write_text(directory / "scene.animado", scenes[0])});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST(Protocol, ThePageIsTheListOfMessages) {
+  const Outcome outcome = animado({"protocol"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, text_of(kSource / "docs/protocol.md")) << "animado protocol > docs/protocol.md";
+}
+
+TEST(Processos, ListsTheScenesWhenItIsNotTold) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = Command(directory, {}, kSource / "scripts/processos").finish();
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("scenes/colisao.animado"));
+}
+
+}  // namespace
+}  // namespace animado::suite

@@ -1,0 +1,145 @@
+// Kill any service at any time: the run goes on, and its result is the same to the last bit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "command.hpp"
+
+namespace animado::suite {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// Two spinning boxes that meet between walls again and again: every service has work at every step.
+constexpr auto kScene = R"(
+world
+gravity (0, -9.81, 0)
+substep 0.002
+object floor
+shape plane(normal=(0, 1, 0), offset=0)
+motion static
+object box
+shape box(size=(1, 2, 0.5))
+mass 3
+restitution 1
+position (0, 4, 0)
+angular velocity (1, 2, 3)
+object ball
+shape sphere(radius=0.5)
+mass 1
+restitution 1
+position (0.2, 7, 0.1)
+force (-4*ball.position.x, 0, -4*ball.position.z)
+time
+start 0
+end 12
+step 0.1
+)";
+
+class Supervision : public testing::Test {
+ protected:
+  Supervision() { write_text(directory_ / "scene.animado", kScene); }
+
+  fs::path partial(const Command& command) const {
+    return directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());
+  }
+
+  // How many messages the service has logged.
+  int64_t lines(const Command& command, const std::string& service) const {
+    return std::ranges::count(text_of(partial(command) / "logs" / (service + ".log")), '\n');
+  }
+
+  // Its process, as the suite's table has it; 0 while it is not registered.
+  static pid_t pid_of(const std::string& service) {
+    const Outcome outcome = animado({"ps", "--run", kRun, "--json"});
+    if (outcome.code != 0) return 0;
+    for (const Json& row : Json::parse(outcome.out)) {
+      if (row.at("service") == service) return row.at("pid");
+    }
+    return 0;
+  }
+
+  // Kills the service once it has done some work, and waits until another process has taken its place.
+  void kill_at_work(Command& command, const std::string& service) {
+    const auto over = [&] { return !command.running(); };
+    const int64_t before = lines(command, service);
+    ASSERT_TRUE(wait_until([&] { return lines(command, service) > before + 50; }, over)) << command.err();
+    const pid_t pid = pid_of(service);
+    ASSERT_GT(pid, 0);
+    ASSERT_EQ(kill(pid, SIGKILL), 0);
+    ASSERT_TRUE(wait_until(
+        [&] {
+          const pid_t now = pid_of(service);
+          return now != 0 && now != pid;
+        },
+        over))
+        << service << " did not come back\n"
+        << command.err();
+  }
+
+  Json summary() const { return Json::parse(text_of(directory_ / "runs/scene/summary.json")); }
+
+  // Restarts among the events, by service.
+  std::map<std::string, int> restarts() const {
+    std::map<std::string, int> counts;
+    std::istringstream events(text_of(directory_ / "runs/scene/events.jsonl"));
+    for (std::string line; std::getline(events, line);) {
+      const Json event = Json::parse(line);
+      if (event.at("kind") == "restart") ++counts[event.at("name").get<std::string>()];
+    }
+    return counts;
+  }
+
+  static inline const std::string kRun = fmt::format("supervision-test-{}", getpid());
+  TemporaryDirectory directory_;
+};
+
+TEST_F(Supervision, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
+  const Words words = {"run", "scene.animado", "--run", kRun};
+  ASSERT_EQ(Command(directory_, words).finish().code, 0);
+  const Json undisturbed = summary();
+  ASSERT_GT(undisturbed.at("impacts"), 5);
+  const std::string states = text_of(directory_ / "runs/scene/states.csv");
+  EXPECT_THAT(restarts(), testing::IsEmpty());
+
+  for (const std::string service : {"egesp", "fred", "colisao"}) {
+    Command command(directory_, words);
+    kill_at_work(command, service);
+    if (HasFatalFailure()) return;
+    const Outcome outcome = command.finish();
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(summary().at("state_hash"), undisturbed.at("state_hash")) << service;
+    EXPECT_EQ(text_of(directory_ / "runs/scene/states.csv"), states) << service;
+    EXPECT_THAT(restarts(), testing::ElementsAre(testing::Pair(service, 1)));
+  }
+}
+
+TEST_F(Supervision, ServicesDieWithTheSupervisor) {
+  Command command(directory_, {"run", "scene.animado", "--run", kRun});
+  const auto over = [&] { return !command.running(); };
+  ASSERT_TRUE(wait_until([&] { return lines(command, "colisao") > 20; }, over)) << command.err();
+  std::vector<pid_t> pids;
+  for (const std::string service : {"interexpserv", "egesp", "fred", "colisao"})
+    pids.push_back(pid_of(service));
+  EXPECT_THAT(pids, testing::Each(testing::Gt(0)));
+  command.signal(SIGKILL);
+  command.finish();
+  for (const pid_t pid : pids) {
+    EXPECT_TRUE(wait_until([&] { return kill(pid, 0) != 0; }, [] { return false; }));
+  }
+}
+
+TEST_F(Supervision, KeptServicesAnswerAfterTheRunUntilInterrupted) {
+  Command command(directory_, {"run", "scene.animado", "--run", kRun, "--keep-services"});
+  const auto over = [&] { return !command.running(); };
+  ASSERT_TRUE(wait_until([&] { return fs::exists(directory_ / "runs/scene/summary.json"); }, over))
+      << command.err();
+  EXPECT_EQ(animado({"ping", "--run", kRun}).code, 0);
+  command.signal(SIGINT);
+  EXPECT_EQ(command.finish().code, 0);
+  EXPECT_EQ(animado({"ping", "--run", kRun}).code, 5);
+}
+
+}  // namespace
+}  // namespace animado::suite
