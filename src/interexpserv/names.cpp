@@ -44,6 +44,19 @@ std::string checked(const std::string& written, bool may_be_t = false) {
   return name;
 }
 
+bool says_the_same(const NameRow& a, const NameRow& b) {
+  const bool typed = a.kind == NameRow::Kind::binding;  // the type of a definition follows from its text
+  return a.kind == b.kind && a.text == b.text && a.binding == b.binding && (!typed || a.type == b.type);
+}
+
+void refuse_other_type(const NameRow* before, const NameRow& row) {
+  if (!before || before->kind == NameRow::Kind::removed || before->type == row.type) return;
+  throw Error(Code::type,
+              fmt::format("`{}` is a {}, this would make it a {}", row.name, name_of(before->type),
+                          name_of(row.type)),
+              row.name, "remove it first if it shall be something else");
+}
+
 }  // namespace
 
 bool is_within(std::string_view name, std::string_view prefix) {
@@ -52,14 +65,14 @@ bool is_within(std::string_view name, std::string_view prefix) {
   return name.size() > prefix.size() && name.starts_with(prefix) && name[prefix.size()] == '.';
 }
 
-// The names of a state as a scope that remembers what was asked of it.
+// The names as a scope that remembers what was asked of it.
 class Names::Lookup : public Scope {
  public:
-  Lookup(const State& state, NameSet& looked_up) : state_(state), looked_up_(looked_up) {}
+  Lookup(const Names& names, NameSet& looked_up) : names_(names), looked_up_(looked_up) {}
 
   std::optional<Symbol> find(std::string_view name) const override {
     looked_up_.emplace(name);
-    const Entry* entry = Names::find(state_, name);
+    const Entry* entry = names_.find(name);
     if (!entry) return name == "t" ? std::optional<Symbol>(Input{"t", Type::scalar}) : std::nullopt;
     if (entry->row.kind == NameRow::Kind::binding) return Input{entry->row.name, entry->row.type};
     return Definition{entry->row.name, entry->row.text, home_of(name)};
@@ -67,87 +80,114 @@ class Names::Lookup : public Scope {
 
   std::vector<std::string> known_names() const override {
     std::vector<std::string> names;
-    for (const auto& [name, entry] : state_.entries) {
+    for (const auto& [name, entry] : names_.entries_) {
       if (entry.row.kind != NameRow::Kind::removed) names.push_back(name);
     }
     return names;
   }
 
  private:
-  const State& state_;
+  const Names& names_;
   NameSet& looked_up_;
 };
 
-const Names::Entry* Names::find(const State& state, std::string_view name) {
-  const auto found = state.entries.find(name);
-  if (found == state.entries.end() || found->second.row.kind == NameRow::Kind::removed) return nullptr;
+// Puts back what was saved, unless it is told that all went well.
+class Names::Undo {
+ public:
+  explicit Undo(Entries& entries) : entries_(entries) {}
+  ~Undo() {
+    if (kept_) return;
+    for (auto& [name, entry] : before_) {
+      if (entry) {
+        entries_[name] = *entry;
+      } else {
+        entries_.erase(name);
+      }
+    }
+  }
+  Undo(const Undo&) = delete;
+  Undo& operator=(const Undo&) = delete;
+
+  void save(const std::string& name) {
+    const auto found = entries_.find(name);
+    before_.try_emplace(name, found == entries_.end() ? std::nullopt : std::optional(found->second));
+  }
+  const std::optional<Entry>& before(const std::string& name) const { return before_.at(name); }
+  void keep() { kept_ = true; }
+
+ private:
+  Entries& entries_;
+  std::map<std::string, std::optional<Entry>> before_;
+  bool kept_ = false;
+};
+
+const Names::Entry* Names::find(std::string_view name) const {
+  const auto found = entries_.find(name);
+  if (found == entries_.end() || found->second.row.kind == NameRow::Kind::removed) return nullptr;
   return &found->second;
 }
 
-void Names::compile_entry(const State& state, Entry& entry) {
-  entry.looked_up = {entry.row.name};
-  const Lookup scope(state, entry.looked_up);
-  const std::string home = home_of(entry.row.name);
-  const Program program = home.empty() ? compile(entry.row.text, scope, entry.row.name)
-                                       : compile(entry.row.text, HomeScope(scope, home), entry.row.name);
+void Names::compile_entry(Entry& entry) const {
+  entry.looked_up.clear();
+  const Lookup scope(*this, entry.looked_up);
+  const std::string& name = entry.row.name;
+  const std::string home = home_of(name);
+  const Program program = home.empty() ? compile(entry.row.text, scope, name)
+                                       : compile(entry.row.text, HomeScope(scope, home), name);
   entry.row.type = program.type();
   entry.program = std::make_shared<const Program>(program);
 }
 
 void Names::restore(std::span<const NameRow> rows, int64_t version) {
-  State state;
-  state.version = version;
-  for (const NameRow& row : rows) state.entries[row.name].row = row;
-  for (auto& [name, entry] : state.entries) {
-    if (entry.row.kind == NameRow::Kind::definition) compile_entry(state, entry);
+  entries_.clear();
+  version_ = version;
+  for (const NameRow& row : rows) entries_[row.name].row = row;
+  for (auto& [name, entry] : entries_) {
+    if (entry.row.kind == NameRow::Kind::definition) compile_entry(entry);
   }
-  state_ = std::move(state);
 }
 
 std::vector<NameRow> Names::define(std::span<const NamedText> definitions) {
-  State next = state_;
-  NameSet changed;
+  Entries edits;
   for (const NamedText& definition : definitions) {
     const std::string name = checked(definition.name);
-    if (!changed.insert(name).second) {
-      throw Error(Code::bad_params, fmt::format("`{}` is defined twice in one request", name), name);
-    }
-    NameRow& row = next.entries[name].row;
-    if (const Entry* known = find(state_, name); known && known->row.kind == NameRow::Kind::binding) {
+    const Entry* known = find(name);
+    if (known && known->row.kind == NameRow::Kind::binding) {
       throw Error(Code::conflict,
                   fmt::format("`{}` is live: its value is what a running program publishes", name), name,
                   "define what it follows from, as a force, or wait for the end of the run");
     }
-    row = {NameRow::Kind::definition, name, definition.text, Type::scalar, {}, 0};
+    const NameRow row{NameRow::Kind::definition, name, definition.text, Type::scalar, {}, 0};
+    if (!edits.try_emplace(name, Entry{row, nullptr, {}}).second) {
+      throw Error(Code::bad_params, fmt::format("`{}` is defined twice in one request", name), name);
+    }
   }
-  return take_effect(std::move(next), changed);
+  return take_effect(std::move(edits));
 }
 
 std::vector<NameRow> Names::bind(std::span<const NamedBinding> bindings) {
-  State next = state_;
-  NameSet changed;
+  Entries edits;
   for (const auto& [written, type, binding] : bindings) {
     const std::string name = checked(written, true);
-    if (const Entry* known = find(state_, name); known && known->row.kind == NameRow::Kind::definition) {
+    const Entry* known = find(name);
+    if (known && known->row.kind == NameRow::Kind::definition) {
       throw Error(Code::conflict, fmt::format("`{}` is defined as `{}`", name, known->row.text), name,
                   "remove it first");
     }
-    changed.insert(name);
-    next.entries[name] = {{NameRow::Kind::binding, name, {}, type, binding, 0}, nullptr, {}};
+    edits[name].row = {NameRow::Kind::binding, name, {}, type, binding, 0};
   }
-  return take_effect(std::move(next), changed);
+  return take_effect(std::move(edits));
 }
 
 std::vector<NameRow> Names::remove(std::span<const std::string> names) {
-  State next = state_;
-  NameSet changed;
+  Entries edits;
   for (const std::string& written : names) {
-    const NameRow& known = row(written);
-    changed.insert(known.name);
-    next.entries[known.name] = {{NameRow::Kind::removed, known.name, {}, known.type, {}, 0}, nullptr, {}};
+    const auto known = entries_.find(fold(written));
+    const std::string name = known == entries_.end() ? row(written).name : known->first;
+    edits[name].row = {NameRow::Kind::removed, name, {}, Type::scalar, {}, 0};
   }
   try {
-    return take_effect(std::move(next), changed);
+    return take_effect(std::move(edits));
   } catch (const ExpressionError& error) {
     throw Error(Code::conflict, fmt::format("{} needs what is to be removed", error.where()), error.where(),
                 "redefine it first, or remove it in the same request");
@@ -155,36 +195,39 @@ std::vector<NameRow> Names::remove(std::span<const std::string> names) {
 }
 
 // Compiles what changed and what looked it up, then lets all of it be true at once.
-std::vector<NameRow> Names::take_effect(State next, const NameSet& changed) {
-  ++next.version;
+std::vector<NameRow> Names::take_effect(Entries edits) {
+  std::erase_if(edits, [&](const auto& edit) {
+    const auto known = entries_.find(edit.first);
+    return known != entries_.end() && says_the_same(known->second.row, edit.second.row);
+  });
+  if (edits.empty()) return {};
+  Undo undo(entries_);
+  for (const auto& [name, entry] : edits) {
+    undo.save(name);
+    entries_[name] = entry;
+  }
   std::vector<NameRow> rows;
-  for (auto& [name, entry] : next.entries) {
-    const bool touched =
-        changed.contains(name) || std::any_of(changed.begin(), changed.end(),
-                                              [&](const auto& c) { return entry.looked_up.contains(c); });
-    if (!touched) continue;
-    entry.row.version = next.version;
+  for (auto& [name, entry] : entries_) {
+    const auto is_edited = [&](const std::string& looked_up) { return edits.contains(looked_up); };
+    if (!is_edited(name) && std::none_of(entry.looked_up.begin(), entry.looked_up.end(), is_edited)) continue;
+    undo.save(name);
+    entry.row.version = version_ + 1;
     if (entry.row.kind == NameRow::Kind::definition) {
-      compile_entry(next, entry);
-      const Entry* before = find(state_, name);
-      if (before && before->row.type != entry.row.type) {
-        throw Error(Code::type,
-                    fmt::format("`{}` is a {}, this would make it a {}", name, name_of(before->row.type),
-                                name_of(entry.row.type)),
-                    name, "remove it first if it shall be something else");
-      }
+      compile_entry(entry);
+      refuse_other_type(undo.before(name) ? &undo.before(name)->row : nullptr, entry.row);
     }
     rows.push_back(entry.row);
   }
-  if (commit_) commit_(next.version, rows);
-  state_ = std::move(next);
+  if (commit_) commit_(version_ + 1, rows);
+  ++version_;
+  undo.keep();
   return rows;
 }
 
 const NameRow& Names::row(std::string_view name) const {
-  if (const Entry* entry = find(state_, fold(name))) return entry->row;
+  if (const Entry* entry = find(fold(name))) return entry->row;
   NameSet unused;
-  const std::string near = nearest_name(fold(name), Lookup(state_, unused).known_names());
+  const std::string near = nearest_name(fold(name), Lookup(*this, unused).known_names());
   throw Error(Code::unknown_name, fmt::format("unknown name `{}`", name), std::string(name),
               near.empty() ? "list shows the names that are known" : fmt::format("did you mean `{}`?", near));
 }
@@ -192,17 +235,16 @@ const NameRow& Names::row(std::string_view name) const {
 std::vector<NameRow> Names::rows(std::string_view prefix) const {
   const std::string folded = fold(prefix);
   std::vector<NameRow> rows;
-  for (const auto& [name, entry] : state_.entries) {
+  for (const auto& [name, entry] : entries_) {
     if (entry.row.kind != NameRow::Kind::removed && is_within(name, folded)) rows.push_back(entry.row);
   }
   return rows;
 }
 
 std::vector<NameRow> Names::changes(int64_t since_version) const {
-  const bool from_another_life =
-      since_version > state_.version;  // the registry was restarted without a store
+  const bool from_another_life = since_version > version_;  // the registry was restarted without a store
   std::vector<NameRow> rows;
-  for (const auto& [name, entry] : state_.entries) {
+  for (const auto& [name, entry] : entries_) {
     const bool live = entry.row.kind == NameRow::Kind::binding;
     if (!live && (from_another_life || entry.row.version > since_version)) rows.push_back(entry.row);
   }
@@ -213,7 +255,7 @@ std::vector<NameRow> Names::changes(int64_t since_version) const {
 
 Value Names::value(std::string_view name, const Numbers& numbers) const {
   const NameRow& known = row(name);
-  if (known.kind == NameRow::Kind::definition) return run(*find(state_, known.name)->program, numbers);
+  if (known.kind == NameRow::Kind::definition) return run(*find(known.name)->program, numbers);
   Value value{known.type, {}};
   read({known.name, known.type}, numbers, value.v.data());
   return value;
@@ -221,7 +263,7 @@ Value Names::value(std::string_view name, const Numbers& numbers) const {
 
 Value Names::evaluate(std::string_view text, std::string_view home, const Numbers& numbers) const {
   NameSet unused;
-  const Lookup scope(state_, unused);
+  const Lookup scope(*this, unused);
   return run(home.empty() ? compile(text, scope) : compile(text, HomeScope(scope, home)), numbers);
 }
 
@@ -238,7 +280,7 @@ Value Names::run(const Program& program, const Numbers& numbers) const {
 }
 
 void Names::read(const Input& input, const Numbers& numbers, double* out) const {
-  const Entry* entry = find(state_, input.name);
+  const Entry* entry = find(input.name);
   if (!entry) {  // only t may be used before it is bound
     throw Error(Code::unavailable, "t has no value: no run is going", input.name,
                 "start a run, or leave t out");

@@ -62,16 +62,16 @@ class Names {
   explicit Names(Commit commit) : commit_(std::move(commit)) {}
   void restore(std::span<const NameRow> rows, int64_t version);
 
-  // Each of these is one transaction: the version grows by one, and the rows that changed come back,
-  // dependents included, by name. Names may be written with capitals and accents. Errors: syntax, type,
-  // unknown_name, cycle, limit with the name as `where`; type also when a name that is defined would change
-  // its type; conflict when a live name is defined, a defined one is bound, or one is removed that others
-  // need; bad_params for what is no name.
+  // Each of these is one transaction. The rows that changed come back by name, dependents included; the
+  // version grows by one if there are any: a request that is sent again changes nothing. Names may be written
+  // with capitals and accents. Errors: syntax, type, unknown_name, cycle, limit with the name as `where`;
+  // type also when a name that is defined would change its type; conflict when a live name is defined, a
+  // defined one is bound, or one is removed that others need; bad_params for what is no name.
   std::vector<NameRow> define(std::span<const NamedText> definitions);
   std::vector<NameRow> bind(std::span<const NamedBinding> bindings);
   std::vector<NameRow> remove(std::span<const std::string> names);
 
-  int64_t version() const { return state_.version; }
+  int64_t version() const { return version_; }
   const NameRow& row(std::string_view name) const;           // throws unknown_name with the nearest one
   std::vector<NameRow> rows(std::string_view prefix) const;  // by name
   std::vector<NameRow> changes(
@@ -86,21 +86,19 @@ class Names {
     std::shared_ptr<const Program> program;  // of a definition
     std::set<std::string, std::less<>> looked_up;
   };
-  struct State {
-    std::map<std::string, Entry, std::less<>>
-        entries;  // removed ones stay as rows, so that changes() can tell
-    int64_t version = 0;
-  };
+  using Entries = std::map<std::string, Entry, std::less<>>;
   class Lookup;
+  class Undo;
 
-  static const Entry* find(const State& state, std::string_view name);
-  static void compile_entry(const State& state, Entry& entry);
-  std::vector<NameRow> take_effect(State next, const std::set<std::string, std::less<>>& changed);
+  const Entry* find(std::string_view name) const;  // null when unknown or removed
+  void compile_entry(Entry& entry) const;
+  std::vector<NameRow> take_effect(Entries edits);
   Value run(const Program& program, const Numbers& numbers) const;
   void read(const Input& input, const Numbers& numbers, double* out) const;
 
   Commit commit_;
-  State state_;
+  Entries entries_;  // removed ones stay as rows, so that changes() can tell
+  int64_t version_ = 0;
 };
 
 // Whether `name` is `prefix` or lies in that namespace; every name does in the empty one.

@@ -113,7 +113,7 @@ TEST(Names, WhatOthersNeedIsNotRemoved) {
   EXPECT_EQ(number(names, "ball.mass"), 2);
   remove(names, {"spring.k", "ball.weight", "ball.mass"});
   EXPECT_TRUE(names.rows("").empty());
-  EXPECT_EQ(error_of([&] { remove(names, {"ball.mass"}); }).code(), Code::unknown_name);
+  EXPECT_EQ(error_of([&] { remove(names, {"ball.volume"}); }).code(), Code::unknown_name);
 }
 
 TEST(Names, RefusesWhatIsNoName) {
@@ -156,6 +156,15 @@ TEST(Names, PrefixesAreNamespaces) {
   EXPECT_FALSE(is_within("ball", "ball.mass"));
   const Names names = spring();
   EXPECT_THAT(names_of(names.rows("BALL")), ElementsAre("ball.mass", "ball.weight"));
+}
+
+TEST(Names, ARequestSentAgainChangesNothing) {
+  Names names = spring();
+  EXPECT_TRUE(define(names, {{"ball.mass", "2"}, {"spring.k", "4*pi^2*ball.mass"}}).empty());
+  EXPECT_EQ(names.version(), 1);
+  EXPECT_THAT(remove(names, {"spring.k"}), ElementsAre("spring.k"));
+  EXPECT_TRUE(remove(names, {"spring.k"}).empty());
+  EXPECT_EQ(names.version(), 2);
 }
 
 // Two bodies in rows of two, behind the counter: t, px, px, py, py, pz, pz.
