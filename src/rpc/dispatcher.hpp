@@ -81,7 +81,7 @@ class Dispatcher {
   Count total_;
   std::map<std::string_view, Count> counts_;
   std::string up_since_ = utc_now();
-  std::string line_, trace_;  // kept for their memory
+  std::string line_;  // kept for its memory
 };
 
 }  // namespace animado::rpc

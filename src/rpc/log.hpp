@@ -24,10 +24,10 @@ class Log {
   ~Log();
 
   bool enabled(LogLevel level) const;
-  // trace: the run's id and the call's number, as 7f3a#12, or - when there is none.
-  void write(LogLevel level, std::string_view trace, std::string_view text);
-  void info(std::string_view text) { write(LogLevel::info, "-", text); }
-  void warn(std::string_view text) { write(LogLevel::warning, "-", text); }
+  // The text begins with the trace, the run's id and the call's number, as "7f3a#12 ping …"; or with -.
+  void write(LogLevel level, std::string_view trace_and_text);
+  void info(std::string_view text) { write(LogLevel::info, "- " + std::string(text)); }
+  void warn(std::string_view text) { write(LogLevel::warning, "- " + std::string(text)); }
   void flush();
 
  private:
