@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "controle/balance.hpp"
 #include "controle/contact_forces.hpp"
 #include "controle/preparation.hpp"
 #include "controle/stepper.hpp"
