@@ -14,18 +14,12 @@ class Checker {
   explicit Checker(Scene& scene) : scene_(scene), scope_(scene) {}
 
   void run() {
-    for (const Definition& name : scene_.names) scope_.compile(name.value);
     for (Body& body : scene_.bodies) {
       if (body.motion == Motion::kinematic) place(body);
     }
     for (const Body& body : scene_.bodies) {
       for (const auto* lines : {&body.forces, &body.torques, &body.local_forces, &body.local_torques}) {
         for (const Expression& line : *lines) at_start(scope_.compile(line, Type::vector), line);
-      }
-      // Its own lines are right: what is left to go wrong is a force that needs itself.
-      if (!body.forces.empty() || !body.local_forces.empty()) {
-        const Expression& first = body.forces.empty() ? body.local_forces.front() : body.forces.front();
-        scope_.compile({body.folded_name + ".force", first.place, -1});
       }
     }
   }

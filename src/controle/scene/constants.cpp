@@ -80,18 +80,16 @@ Value Constants::evaluate(const Expression& expression, Type type) const {
 
 interexpserv::Program Constants::compile(const Expression& expression, std::optional<Type> expected) const {
   reading_.push_back(expression);
-  try {
-    const auto home =
-        expression.owner < 0 ? nullptr : &outline_.objects[static_cast<size_t>(expression.owner)];
-    interexpserv::Program program =
-        home ? interexpserv::compile(expression.text, interexpserv::HomeScope(*this, home->folded_name), {},
-                                     expected)
-             : interexpserv::compile(expression.text, *this, {}, expected);
-    reading_.pop_back();
-    return program;
-  } catch (const interexpserv::ExpressionError& error) {
-    refuse_expression(error, expression, outline_.path, outline_.names);
-  }
+  const std::string_view home = expression.owner < 0
+                                    ? std::string_view()
+                                    : outline_.objects[static_cast<size_t>(expression.owner)].folded_name;
+  interexpserv::Program program = compile_at(outline_.path, expression, *this, home, expected);
+  reading_.pop_back();
+  return program;
+}
+
+void Constants::check_definitions() const {
+  for (const Definition& definition : outline_.names) find(definition.name);
 }
 
 const Shape& Constants::shape(size_t body) const {

@@ -21,6 +21,8 @@ class Constants : public interexpserv::Scope {
   const Shape& shape(size_t body) const;
   double mass_kg(size_t body) const;
 
+  void check_definitions() const;  // that all of them compile, used or not; of cycles among them
+
   // For the compiler: masses are values, the rest of the state and t inputs, definitions values where they
   // are constant.
   std::optional<interexpserv::Symbol> find(std::string_view folded_name) const override;

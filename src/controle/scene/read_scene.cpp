@@ -37,6 +37,7 @@ Scene parse_scene(const std::string& text, const std::string& path) {
   const Outline outline = read_outline(text, path);
   refuse_empty(outline, text);
   const Constants constants(outline);
+  constants.check_definitions();
   Scene scene;
   scene.path = path;
   scene.text = text;

@@ -29,6 +29,13 @@ constexpr std::string_view kTurned =
     "local_force + 2 * cross((orientation.qx, orientation.qy, orientation.qz), "
     "cross((orientation.qx, orientation.qy, orientation.qz), local_force) + orientation.qw * local_force)";
 
+[[noreturn]] void refuse_at(std::string_view path, const Expression& expression, size_t column,
+                            const Error& error) {
+  const Place place = {expression.place.line, expression.place.column + static_cast<int>(column)};
+  refuse(path, place, error.code(), error.message(),
+         error.remedy().empty() ? "docs/expressions.md lists what can be written" : error.remedy());
+}
+
 }  // namespace
 
 SceneScope::SceneScope(const Scene& scene) : scene_(scene), names_(names_of(scene.bodies)) {}
@@ -74,28 +81,24 @@ std::vector<std::string> SceneScope::known_names() const {
 }
 
 interexpserv::Program SceneScope::compile(const Expression& expression, std::optional<Type> expected) const {
-  try {
-    if (expression.owner < 0) return interexpserv::compile(expression.text, *this, {}, expected);
-    const Body& owner = scene_.bodies[static_cast<size_t>(expression.owner)];
-    return interexpserv::compile(expression.text, interexpserv::HomeScope(*this, owner.folded_name), {},
-                                 expected);
-  } catch (const interexpserv::ExpressionError& error) {
-    refuse_expression(error, expression, scene_.path, scene_.names);
-  }
+  const int owner = expression.owner;
+  const std::string_view home =
+      owner < 0 ? std::string_view() : scene_.bodies[static_cast<size_t>(owner)].folded_name;
+  return compile_at(scene_.path, expression, *this, home, expected);
 }
 
-void refuse_expression(const interexpserv::ExpressionError& error, const Expression& expression,
-                       std::string_view path, const std::vector<Definition>& names) {
-  Place place = expression.place;
-  if (error.where().empty()) place.column += static_cast<int>(error.column());
-  for (const Definition& name : names) {
-    if (name.name != error.where()) continue;
-    place = name.value.place;
-    place.column += static_cast<int>(error.column());
+interexpserv::Program compile_at(std::string_view path, const Expression& expression,
+                                 const interexpserv::Scope& scope, std::string_view home,
+                                 std::optional<Type> expected) {
+  try {
+    if (home.empty()) return interexpserv::compile(expression.text, scope, {}, expected);
+    return interexpserv::compile(expression.text, interexpserv::HomeScope(scope, home), {}, expected);
+  } catch (const interexpserv::ExpressionError& error) {
+    refuse_at(path, expression, error.column(), error);
+  } catch (const Error& error) {
+    if (!error.where().empty()) throw;  // of another expression, which this one needs
+    refuse_at(path, expression, 0, error);
   }
-  const std::string remedy =
-      error.remedy().empty() ? "docs/expressions.md lists what can be written" : error.remedy();
-  refuse(path, place, error.code(), error.message(), remedy);
 }
 
 }  // namespace animado::controle

@@ -32,8 +32,10 @@ class SceneScope : public interexpserv::Scope {
   StateNames names_;
 };
 
-// Where in the file an expression's error lies: the error of the language, with file:line:column before it.
-[[noreturn]] void refuse_expression(const interexpserv::ExpressionError& error, const Expression& expression,
-                                    std::string_view path, const std::vector<Definition>& names);
+// Compiles an expression that stands in a file. home: the object whose prefix may be left out; may be empty.
+// Throws Error with file:line:column of the mistake.
+interexpserv::Program compile_at(std::string_view path, const Expression& expression,
+                                 const interexpserv::Scope& scope, std::string_view home,
+                                 std::optional<interexpserv::Type> expected);
 
 }  // namespace animado::controle

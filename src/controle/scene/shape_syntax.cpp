@@ -164,7 +164,7 @@ class ShapeReader {
     try {
       return convex_hull(read_obj(path.string()));
     } catch (const Error& error) {
-      const std::string inside = error.where().empty() ? path.string() : error.where();
+      const std::string inside = error.where().starts_with(path.string()) ? error.where() : path.string();
       refuse(outline_.path, file.place, error.code(), fmt::format("{}: {}", inside, error.message()),
              error.remedy());
     }

@@ -60,7 +60,7 @@ TEST(MassProperties, BoxHasItsClosedForm) {
 TEST(MassProperties, HullThatIsABoxIsOne) {
   Hull hull;
   for (int k = 0; k < 8; ++k)
-    hull.vertices_m.push_back({k & 1 ? 1.5 : 0.5, k & 2 ? 1 : -1, k & 4 ? 1.5 : -1.5});
+    hull.vertices_m.push_back({k & 1 ? 1.5 : 0.5, k & 2 ? 1.0 : -1.0, k & 4 ? 1.5 : -1.5});
   hull.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   const MassProperties p = mass_properties(hull, 2), box = mass_properties(Box{{0.5, 1, 1.5}}, 2);
   EXPECT_NEAR(p.mass_kg, box.mass_kg, 1e-13);
