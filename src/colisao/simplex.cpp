@@ -1,5 +1,6 @@
 #include "colisao/simplex.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace animado::colisao {
@@ -13,6 +14,9 @@ struct Nearest {
 };
 
 using Corners = std::array<Vec3, 4>;
+
+// Squared height of a triangle, relative to its edge and to its distance, from which its normal is trusted.
+constexpr double kWellShaped = 1e-4;
 
 Nearest at_corner(const Corners& w, size_t i) {
   Nearest n{w[i], {}, w[i].squaredNorm()};
@@ -50,9 +54,15 @@ Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k) {
     inside = inside && part[c] > 0;
   }
   if (inside) {
-    Nearest n{foot, {}, foot.squaredNorm()};
+    Nearest n{Vec3::Zero(), {}, 0};
     const double sum = part[0] + part[1] + part[2];
-    for (size_t c = 0; c < 3; ++c) n.weight[corner[c]] = part[c] / sum;
+    for (size_t c = 0; c < 3; ++c) {
+      n.weight[corner[c]] = part[c] / sum;
+      n.point += n.weight[corner[c]] * w[corner[c]];
+    }
+    const double edge2 = std::max((w[j] - w[i]).squaredNorm(), (w[k] - w[i]).squaredNorm());
+    if (area2 > kWellShaped * edge2 * std::max(edge2, w[i].squaredNorm())) n.point = foot;
+    n.squared = n.point.squaredNorm();
     return n;
   }
   Nearest best = at_corner(w, i);

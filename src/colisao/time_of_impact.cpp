@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kMet_m = 1e-12;     // a gap as small as rounding lets it be found
 constexpr int kMostAdvances = 2000;  // a grazing pass takes some thirty
+constexpr double kShort = 0.9995;     // stops before a root, where rounding could not tell the sides apart
 constexpr double kSampleRatio = 4;   // a flight between two contacts holds one of the samples
 
 // Solid and motion of one of the pair.
@@ -108,7 +109,7 @@ class Approach {
     if (f_high > 0) return high;
     // The chord of a concave function meets zero before the function does.
     for (int k = 0; k < 20 && f_low > 1e-3 * g.gap_m; ++k) {
-      const double chord = low + (high - low) * f_low / (f_low - f_high);
+      const double chord = low + kShort * (high - low) * f_low / (f_low - f_high);
       for (const double tau : {chord, 0.5 * (chord + high)}) {
         const double value = f(tau);
         if (value > 0 && tau > low) {
