@@ -8,8 +8,10 @@
 namespace animado::colisao {
 namespace {
 
-constexpr int kMostSteps = 64;
-constexpr size_t kStarts = 6;  // the best of the start directions, from which it climbs
+constexpr int kMostSteps = 32;
+constexpr double kStraight_rad = 1e-10;  // a turn of the normal that is no longer worth a step
+constexpr double kRounding = 1e-14;      // of a distance
+constexpr size_t kStarts = 6;            // the best of the start directions, from which it climbs
 constexpr double kLift =
     1.0 / 128;  // how far A is moved away from B, of the smaller size: little, to keep what is nearest
 
@@ -66,19 +68,18 @@ std::vector<Vec3> start_directions(const Placed& a, const Placed& b) {
 Separation ascend(const Placed& a, const Placed& b, const Vec3& normal) {
   const double lift = kLift * size_of(a, b);
   Separation best{separation_along(a, b, normal), normal, a.core_support(-normal), b.core_support(normal)};
-  double from = best.separation_m;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Vec3 shift = (lift + std::max(0.0, -best.separation_m)) * best.normal;
+    const double moved = lift + std::max(0.0, -best.separation_m);
+    const Vec3 shift = moved * best.normal;
     const CoreDistance d = core_distance(a, b, shift, best.normal);
     if (d.overlap) break;
-    const Vec3 next = d.separation.normalized();
-    const double separation = separation_along(a, b, next);
+    // Second order in the error of the normal, where the separation along it would be first order at an edge.
+    const double distance = d.separation.norm(), separation = distance - moved;
+    if (step > 0 && separation < best.separation_m - kRounding * distance) break;
+    const Vec3 next = d.separation / distance;
     const double turn = (next - best.normal).norm();
-    if (step == 0 || separation >= best.separation_m) {
-      best = {separation, next, d.point_a_m - shift, d.point_b_m};
-    }
-    if (turn < 1e-9 || (step > 0 && separation <= from)) break;
-    from = separation;
+    best = {separation, next, d.point_a_m - shift, d.point_b_m};
+    if (turn < kStraight_rad) break;
   }
   return best;
 }

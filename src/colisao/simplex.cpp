@@ -41,7 +41,7 @@ void keep_nearer(Nearest& best, const Nearest& other) {
   if (other.squared < best.squared) best = other;
 }
 
-Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k) {
+Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k, Search search) {
   const Vec3 normal = (w[j] - w[i]).cross(w[k] - w[i]);
   const double area2 = normal.squaredNorm();
   const std::array<size_t, 3> corner{i, j, k};
@@ -53,6 +53,7 @@ Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k) {
     part[c] = normal.dot((p - foot).cross(q - foot)) / area2;
     inside = inside && part[c] > 0;
   }
+  Nearest best = at_corner(w, i);
   if (inside) {
     Nearest n{Vec3::Zero(), {}, 0};
     const double sum = part[0] + part[1] + part[2];
@@ -63,23 +64,24 @@ Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k) {
     const double edge2 = std::max((w[j] - w[i]).squaredNorm(), (w[k] - w[i]).squaredNorm());
     if (area2 > kWellShaped * edge2 * std::max(edge2, w[i].squaredNorm())) n.point = foot;
     n.squared = n.point.squaredNorm();
-    return n;
+    if (search == Search::quick) return n;
+    keep_nearer(best, n);
   }
-  Nearest best = at_corner(w, i);
   for (size_t c = 0; c < 3; ++c) {
-    if (area2 > 0 && part[c] > 0) continue;
+    if (search == Search::quick && area2 > 0 && part[c] > 0) continue;
     keep_nearer(best, on_line(w, corner[(c + 1) % 3], corner[(c + 2) % 3]));
   }
   return best;
 }
 
-Nearest in_tetrahedron(const Corners& w) {
+Nearest in_tetrahedron(const Corners& w, Search search) {
   const double volume = (w[1] - w[0]).cross(w[2] - w[0]).dot(w[3] - w[0]);
   // Signed volumes of the tetrahedra that the origin makes with each face, in the orientation of `volume`.
   const std::array<double, 4> part{w[1].cross(w[2]).dot(w[3]), -w[0].cross(w[2]).dot(w[3]),
                                    w[0].cross(w[1]).dot(w[3]), -w[0].cross(w[1]).dot(w[2])};
-  bool inside = volume != 0;
-  for (double p : part) inside = inside && (volume > 0 ? p > 0 : p < 0);
+  const double rounding = 1e-15 * std::pow(std::max({w[0].norm(), w[1].norm(), w[2].norm(), w[3].norm()}), 3);
+  bool inside = true;
+  for (double p : part) inside = inside && (volume > 0 ? p > rounding : p < -rounding);
   if (inside) {
     Nearest n;
     n.point = Vec3::Zero();
@@ -89,8 +91,8 @@ Nearest in_tetrahedron(const Corners& w) {
   }
   Nearest best = at_corner(w, 0);
   for (size_t c = 0; c < 4; ++c) {
-    if (volume != 0 && (volume > 0 ? part[c] > 0 : part[c] < 0)) continue;
-    keep_nearer(best, on_triangle(w, (c + 1) % 4, (c + 2) % 4, (c + 3) % 4));
+    if (search == Search::quick && volume != 0 && (volume > 0 ? part[c] > 0 : part[c] < 0)) continue;
+    keep_nearer(best, on_triangle(w, (c + 1) % 4, (c + 2) % 4, (c + 3) % 4, search));
   }
   return best;
 }
@@ -110,7 +112,7 @@ Vec3 Simplex::weigh(const std::array<Vec3, 4>& points) const {
   return sum;
 }
 
-Vec3 reduce_to_nearest(Simplex& s) {
+Vec3 reduce_to_nearest(Simplex& s, Search search) {
   Nearest n;
   switch (s.size) {
     case 1:
@@ -120,10 +122,10 @@ Vec3 reduce_to_nearest(Simplex& s) {
       n = on_line(s.point, 0, 1);
       break;
     case 3:
-      n = on_triangle(s.point, 0, 1, 2);
+      n = on_triangle(s.point, 0, 1, 2, search);
       break;
     default:
-      n = in_tetrahedron(s.point);
+      n = in_tetrahedron(s.point, search);
   }
   int kept = 0;
   for (size_t i = 0; i < static_cast<size_t>(s.size); ++i) {

@@ -32,7 +32,8 @@ class Random {
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
   Quat rotation() {
-    const double u = uniform(0, 1), v = uniform(0, 2 * std::numbers::pi), w = uniform(0, 2 * std::numbers::pi);
+    const double u = uniform(0, 1), v = uniform(0, 2 * std::numbers::pi),
+                 w = uniform(0, 2 * std::numbers::pi);
     return {std::sqrt(u) * std::cos(w), std::sqrt(1 - u) * std::sin(v), std::sqrt(1 - u) * std::cos(v),
             std::sqrt(u) * std::sin(w)};
   }
@@ -59,15 +60,21 @@ struct Named {
 
 // One of each kind, none of them symmetric in more than it must be.
 inline std::vector<Named> one_of_each() {
-  return {{"sphere", Solid(Sphere{0.7})},          {"box", Solid(Box{{0.5, 0.8, 0.3}})},
-          {"capsule", Solid(Capsule{0.3, 0.6})},   {"cylinder", Solid(Cylinder{0.6, 0.4})},
-          {"cone", Solid(Cone{0.7, 1.1})},         {"hull", Solid(some_hull())},
+  return {{"sphere", Solid(Sphere{0.7})},
+          {"box", Solid(Box{{0.5, 0.8, 0.3}})},
+          {"capsule", Solid(Capsule{0.3, 0.6})},
+          {"cylinder", Solid(Cylinder{0.6, 0.4})},
+          {"cone", Solid(Cone{0.7, 1.1})},
+          {"hull", Solid(some_hull())},
           {"plane", Solid(HalfSpace{{0, 1, 0}, 0.2})}};
 }
 
-inline Quat about(const Vec3& axis, double angle) { return Quat(Eigen::AngleAxisd(angle, axis.normalized())); }
+inline Quat about(const Vec3& axis, double angle) {
+  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
+}
 
-inline BodyState moving_body(const Vec3& position, const Quat& orientation, const Vec3& velocity, const Vec3& spin_world) {
+inline BodyState moving_body(const Vec3& position, const Quat& orientation, const Vec3& velocity,
+                             const Vec3& spin_world) {
   return {{position, orientation}, velocity, orientation.conjugate() * spin_world};
 }
 

@@ -11,16 +11,21 @@
 namespace animado::colisao {
 namespace {
 
-Path flight(const BodyState& start, double step_s) { return Path(start, after(start, step_s), step_s); }
-BodyState resting(const Vec3& position) { return moving_body(position, Quat::Identity(), Vec3::Zero(), Vec3::Zero()); }
+Path flight(const BodyState& start, double step_s) {
+  return Path(start, after(start, step_s), step_s);
+}
+BodyState resting(const Vec3& position) {
+  return moving_body(position, Quat::Identity(), Vec3::Zero(), Vec3::Zero());
+}
 
 double gap_at(const Solid& a, const Path& pa, const Solid& b, const Path& pb, double time_s) {
   return gap(a, pa.pose(time_s), b, pb.pose(time_s)).gap_m;
 }
 
 TEST(TimeOfImpact, ThePapersExample) {
-  // Sphere (radius 1) from y = 3 at −0.5 m/s, cube (edge 1) at 0.7 m/s turning about x at 10 rad/s: above the middle line the section of
-  // the cube reaches 0.5/max(|cos|, |sin|) straight up only when the sphere touches an edge; the contact is at the published time.
+  // Sphere (radius 1) from y = 3 at −0.5 m/s, cube (edge 1) at 0.7 m/s turning about x at 10 rad/s: above the
+  // middle line the section of the cube reaches 0.5/max(|cos|, |sin|) straight up only when the sphere
+  // touches an edge; the contact is at the published time.
   const Solid sphere(Sphere{1}), cube(Box{{0.5, 0.5, 0.5}});
   const BodyState s = moving_body({0, 3, 0}, Quat::Identity(), {0, -0.5, 0}, {5, 5, 5});
   const BodyState c = moving_body({0, 0, 0}, Quat::Identity(), {0, 0.7, 0}, {10, 0, 0});
@@ -32,7 +37,8 @@ TEST(TimeOfImpact, ThePapersExample) {
       const Impact impact = time_of_impact(sphere, path(s), cube, path(c), step);
       if (impact.hit) hit = t + impact.time_s;
     }
-    // The Hermite interpolant of a turn of 10 rad/s is off by (10 h)⁴/384 of the quaternion: 2.6e-7 rad at 1e-2 s.
+    // The Hermite interpolant of a turn of 10 rad/s is off by (10 h)⁴/384 of the quaternion: 2.6e-7 rad at
+    // 1e-2 s.
     EXPECT_NEAR(hit, 1.141953820, step < 5e-3 ? 1e-9 : 1e-6);
   }
 }
@@ -66,7 +72,8 @@ TEST(TimeOfImpact, GrazingPass) {
 TEST(TimeOfImpact, BulletThroughPaper) {
   const Solid bullet(Sphere{0.005}), paper(Box{{1, 1, 5e-5}}), needle(Cylinder{0.001, 0.02});
   const Path still = flight(resting({0, 0, 0}), 1.0 / 60);
-  const Path fast = flight(moving_body({0.1, 0.2, -7}, Quat::Identity(), {0, 0, 900}, {0, 0, 2000}), 1.0 / 60);
+  const Path fast =
+      flight(moving_body({0.1, 0.2, -7}, Quat::Identity(), {0, 0, 900}, {0, 0, 2000}), 1.0 / 60);
   const Impact hit = time_of_impact(bullet, fast, paper, still, 1.0 / 60);
   EXPECT_TRUE(hit.hit);
   EXPECT_NEAR(hit.time_s, (7 - 0.005 - 5e-5) / 900, 1e-14);
@@ -85,7 +92,8 @@ TEST(TimeOfImpact, ProjectileOnAPlaneUnderGravity) {
   EXPECT_NEAR(impact.time_s, std::sqrt(2 * 0.9 / g), 1e-12);
 }
 
-// A cube that spins about z over a plane sinks at 1 m/s: its lowest point is at y − √2/2 · cos(π/4 − angle within a quarter turn).
+// A cube that spins about z over a plane sinks at 1 m/s: its lowest point is at y − √2/2 · cos(π/4 − angle
+// within a quarter turn).
 TEST(TimeOfImpact, TumblingBoxOnAPlane) {
   const Solid cube(Box{{0.5, 0.5, 0.5}}), plane(HalfSpace{{0, 1, 0}, 0});
   const double h = 1e-3, spin = 7;
@@ -144,7 +152,8 @@ TEST(TimeOfImpact, IsTheFirstForEveryPair) {
       const Solid &a = all[i].solid, &b = all[j].solid;
       for (int k = 0; k < 20; ++k) {
         const double h = 0.25;
-        BodyState sa = moving_body(random.vector(1) + Vec3(0, 4, 0), random.rotation(), random.vector(2) + Vec3(0, -12, 0), random.vector(6));
+        BodyState sa = moving_body(random.vector(1) + Vec3(0, 4, 0), random.rotation(),
+                                   random.vector(2) + Vec3(0, -12, 0), random.vector(6));
         BodyState sb = moving_body(random.vector(0.5), random.rotation(), random.vector(2), random.vector(6));
         if (b.half_space()) sb = resting({0, 0, 0});
         const Path pa = flight(sa, h), pb = flight(sb, h);
@@ -152,11 +161,13 @@ TEST(TimeOfImpact, IsTheFirstForEveryPair) {
         const Impact impact = time_of_impact(a, pa, b, pb, h);
         const double until = impact.hit ? impact.time_s : h;
         for (int s = 0; s < 100; ++s) {
-          EXPECT_GT(gap_at(a, pa, b, pb, until * s / 100), 0) << all[i].name << ' ' << all[j].name << ' ' << k;
+          EXPECT_GT(gap_at(a, pa, b, pb, until * s / 100), 0)
+              << all[i].name << ' ' << all[j].name << ' ' << k;
         }
         if (!impact.hit) continue;
         ++hits;
-        EXPECT_NEAR(gap_at(a, pa, b, pb, impact.time_s), 5e-13, 2e-12) << all[i].name << ' ' << all[j].name << ' ' << k;
+        EXPECT_NEAR(gap_at(a, pa, b, pb, impact.time_s), 5e-13, 2e-12)
+            << all[i].name << ' ' << all[j].name << ' ' << k;
       }
     }
   }
