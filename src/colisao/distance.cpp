@@ -31,11 +31,7 @@ Separation separate(const Placed& a, const Placed& b) {
   const double distance = d.separation.norm();
   const Vec3 normal = d.separation / distance;
   const bool sharp = a.solid.core_radius_m() == 0 && b.solid.core_radius_m() == 0;
-  if (sharp && distance < kClose * std::min(a.solid.size_m(), b.solid.size_m())) {
-    const Separation refined = ascend(a, b, normal);
-    // A normal that separates by less than the distance is no better than the shortest vector.
-    if (refined.separation_m > (1 - 1e-9) * distance) return refined;
-  }
+  if (sharp && distance < kClose * std::min(a.solid.size_m(), b.solid.size_m())) return ascend(a, b, normal);
   return {distance, normal, d.point_a_m, d.point_b_m};
 }
 

@@ -1,6 +1,8 @@
 #include "colisao/penetration.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "colisao/gjk.hpp"
@@ -10,10 +12,13 @@ namespace {
 
 constexpr int kMostSteps = 32;
 constexpr double kStraight_rad = 1e-10;  // a turn of the normal that is no longer worth a step
-constexpr double kRounding = 1e-14;      // of a distance
-constexpr size_t kStarts = 6;            // the best of the start directions, from which it climbs
-constexpr double kLift =
-    1.0 / 128;  // how far A is moved away from B, of the smaller size: little, to keep what is nearest
+constexpr double kRounding = 4e-15;      // of the extent
+constexpr size_t kStarts = 8;            // the best of the start directions, from which it climbs
+constexpr double kApart = 0.95;          // cosine: starts nearer to each other would climb the same hill
+constexpr int kSpread = 64;
+// How far A is moved away from B, of the smaller size: less at every step, since the normal's error falls by
+// lift / (lift + radius of curvature), and never so little that rounding turns the normal.
+constexpr double kLift = 1.0 / 128, kLeastLift = 1e-4;
 
 double size_of(const Placed& a, const Placed& b) {
   return std::min(a.solid.size_m(), b.solid.size_m());
@@ -60,13 +65,17 @@ std::vector<Vec3> start_directions(const Placed& a, const Placed& b) {
       starts.push_back(-cross.normalized());
     }
   }
+  for (int i = 0; i < kSpread; ++i) {  // a spiral over the sphere
+    const double z = 1 - (2.0 * i + 1) / kSpread, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    starts.emplace_back(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
+  }
   return starts;
 }
 
 }  // namespace
 
 Separation ascend(const Placed& a, const Placed& b, const Vec3& normal) {
-  const double lift = kLift * size_of(a, b);
+  double lift = kLift * size_of(a, b);
   Separation best{separation_along(a, b, normal), normal, a.core_support(-normal), b.core_support(normal)};
   for (int step = 0; step < kMostSteps; ++step) {
     const double moved = lift + std::max(0.0, -best.separation_m);
@@ -75,11 +84,13 @@ Separation ascend(const Placed& a, const Placed& b, const Vec3& normal) {
     if (d.overlap) break;
     // Second order in the error of the normal, where the separation along it would be first order at an edge.
     const double distance = d.separation.norm(), separation = distance - moved;
-    if (step > 0 && separation < best.separation_m - kRounding * distance) break;
+    if (step > 0 && separation < best.separation_m - kRounding * (a.solid.radius_m() + b.solid.radius_m()))
+      break;
     const Vec3 next = d.separation / distance;
     const double turn = (next - best.normal).norm();
     best = {separation, next, d.point_a_m - shift, d.point_b_m};
     if (turn < kStraight_rad) break;
+    lift = std::max(0.25 * lift, kLeastLift * size_of(a, b));
   }
   return best;
 }
@@ -92,15 +103,19 @@ Separation penetration(const Placed& a, const Placed& b) {
     const CoreDistance d = core_distance(a, b, shift, axis.normal);
     return {axis.separation_m, axis.normal, d.point_a_m - shift, d.point_b_m};
   }
-  std::vector<Vec3> starts = start_directions(a, b);
+  const std::vector<Vec3> starts = start_directions(a, b);
   std::vector<std::pair<double, size_t>> order;
   for (size_t i = 0; i < starts.size(); ++i) order.emplace_back(-separation_along(a, b, starts[i]), i);
   std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), kStarts));
 
   Separation best = ascend(a, b, starts[order[0].second]);
-  for (size_t k = 1; k < order.size(); ++k) {
-    const Separation other = ascend(a, b, starts[order[k].second]);
+  std::vector<Vec3> climbed{starts[order[0].second]};
+  for (size_t k = 1; k < order.size() && climbed.size() < kStarts; ++k) {
+    const Vec3& start = starts[order[k].second];
+    if (std::any_of(climbed.begin(), climbed.end(), [&](const Vec3& c) { return c.dot(start) > kApart; }))
+      continue;
+    climbed.push_back(start);
+    const Separation other = ascend(a, b, start);
     if (other.separation_m > best.separation_m) best = other;
   }
   return best;

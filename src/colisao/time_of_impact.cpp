@@ -23,6 +23,7 @@ namespace {
 constexpr double kMet_m = 1e-12;     // a gap as small as rounding lets it be found
 constexpr int kMostAdvances = 2000;  // a grazing pass takes some thirty
 constexpr double kShort = 0.9995;    // stops before a root, where rounding could not tell the sides apart
+constexpr double kMissing = 1e-7;    // of the size
 constexpr double kSampleRatio = 4;   // a flight between two contacts holds one of the samples
 
 // Solid and motion of one of the pair.
@@ -106,12 +107,12 @@ class Approach {
              b_.reach_along(at_b.pose, n + tau * turn_b) - 0.5 * acceleration_m_s2_ * tau * tau;
     };
     // Where edges meet, a normal known to 1e-8 separates by that much less than the gap: a constant of f,
-    // with no part in the motion.
-    const double missing = g.gap_m - f(0);
-    double low = 0, high = until_s_ - time_s, f_low = g.gap_m, f_high = f(high) + missing;
-    if (f_high > 0) return high;
+    // with no part in the motion. A normal that misses more is not trusted with it.
+    const double missing = std::min(g.gap_m - f(0), kMissing * (a_.reach_m() + b_.reach_m()));
+    double low = 0, high = until_s_ - time_s, f_low = f(0) + missing, f_high = f(high) + missing;
+    if (f_high > 0 && f_low > 0) return high;
     // The chord of a concave function meets zero before the function does.
-    for (int k = 0; k < 20 && f_low > 1e-3 * g.gap_m; ++k) {
+    for (int k = 0; k < 20 && f_low > 1e-3 * g.gap_m && f_high <= 0; ++k) {
       const double chord = low + kShort * (high - low) * f_low / (f_low - f_high);
       for (const double tau : {chord, 0.5 * (chord + high)}) {
         const double value = f(tau) + missing;
