@@ -11,14 +11,17 @@ Mat3 about_origin(const Inertia& body) {
   return body.inertia_kg_m2 - body.mass_kg * c * c;
 }
 
-struct Rotation {  // body → world, of a unit quaternion
+// Body → world. The quaternion of a stage has unit length only to the method's order: divided by its square, the matrix is orthogonal all the
+// same, and a force that goes into body axes and comes back is what it was.
+struct Rotation {
   double xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
 inline Rotation rotation(double w, double x, double y, double z) {
-  return {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
-          2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-          2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+  const double s = 2 / (w * w + x * x + y * y + z * z);
+  return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
+          s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
+          s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
 }
 
 }  // namespace

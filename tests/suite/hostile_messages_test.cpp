@@ -1,5 +1,5 @@
-// What a service does with messages that no client of ours would send: it answers each with an error that names a remedy, or closes the
-// connection; it never dies, and keeps nothing.
+// What a service does with messages that no client of ours would send: it answers each with an error that
+// names a remedy, or closes the connection; it never dies, and keeps nothing.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -80,7 +80,8 @@ TEST_P(HostileMessages, HelloComesFirstAndInTheRightVersion) {
   }
   {
     RawClient raw(services().socket(service()));
-    expect_error(raw.call("hello", {{"protocol", "animado"}, {"version", 99}}), "protocol", "hello of version 99");
+    expect_error(raw.call("hello", {{"protocol", "animado"}, {"version", 99}}), "protocol",
+                 "hello of version 99");
   }
 }
 
@@ -91,7 +92,8 @@ TEST_P(HostileMessages, TruncatedFramesAndForeignBytesOnlyCostTheirConnection) {
     raw.hello();
     raw.send(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
   }
-  for (const std::string& bytes : {std::string("GET / HTTP/1.1\r\n\r\n"), std::string("\xc1\xc1\xc1"), std::string(100, '\x91')}) {
+  for (const std::string& bytes :
+       {std::string("GET / HTTP/1.1\r\n\r\n"), std::string("\xc1\xc1\xc1"), std::string(100, '\x91')}) {
     RawClient raw(services().socket(service()));
     raw.send(Bytes(bytes.begin(), bytes.end()));
     EXPECT_TRUE(raw.closed());
@@ -104,13 +106,14 @@ TEST_P(HostileMessages, LengthOfOneGibibyteIsRefusedUnseen) {
   const int64_t before_kB = resident_kB(services().pid(service()));
   // [0, 1, "ping", [{"x": …
   const Bytes head = {0x94, 0x00, 0x01, 0xa4, 'p', 'i', 'n', 'g', 0x91, 0x81, 0xa1, 'x'};
-  for (const uint8_t kind : {0xc6 /* bin */, 0xdb /* str */, 0xdd /* array */, 0xdf /* map */, 0xc9 /* ext */}) {
+  for (const uint8_t kind :
+       Bytes{0xc6 /* bin */, 0xdb /* str */, 0xdd /* array */, 0xdf /* map */, 0xc9 /* ext */}) {
     RawClient raw(services().socket(service()));
     raw.hello();
     Bytes message = head;
-    message.insert(message.end(), {kind, 0x40, 0x00, 0x00, 0x00});
+    for (const uint8_t byte : Bytes{kind, 0x40, 0x00, 0x00, 0x00}) message.push_back(byte);
     raw.send(message);
-    EXPECT_TRUE(raw.closed()) << "kind " << int(kind);
+    EXPECT_TRUE(raw.closed()) << "kind " << static_cast<int>(kind);
   }
   EXPECT_LT(resident_kB(services().pid(service())) - before_kB, 8 * 1024);
 }
@@ -122,7 +125,8 @@ TEST_P(HostileMessages, HundredThousandOfThemLeaveNoMemoryBehind) {
   for (const Json& message : messages(raw)) {
     bad.emplace_back(message.at("name"), Json::object({{"no_such_field", 1}}));
     for (const Json& field : message.at("fields")) {
-      if (field.at("side") == "request") bad.emplace_back(message.at("name"), Json::object({{field.at("path"), kWrong}}));
+      if (field.at("side") == "request")
+        bad.emplace_back(message.at("name"), Json::object({{field.at("path"), kWrong}}));
     }
   }
   std::vector<Bytes> messages_packed;
@@ -137,7 +141,8 @@ TEST_P(HostileMessages, HundredThousandOfThemLeaveNoMemoryBehind) {
   EXPECT_LT(resident_kB(services().pid(service())) - warm_kB, 1024);
 }
 
-INSTANTIATE_TEST_SUITE_P(, HostileMessages, testing::ValuesIn(kServices), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(, HostileMessages, testing::ValuesIn(kServices),
+                         [](const auto& service) { return std::string(service.param); });
 
 // --- what is wrong with the numbers
 
@@ -157,39 +162,59 @@ class HostileNumbers : public testing::Test {
 TEST_F(HostileNumbers, EgespRefusesThem) {
   const Json b = {1, 2};
   const Json identity = {{1, 0}, {0, 1}};
-  expect_error(call("egesp", "solve", {{"matrices", {{1, kNan}, {0, 1}}}, {"right_sides", b}}), "not_finite", "NaN");
-  expect_error(call("egesp", "solve", {{"matrices", identity}, {"right_sides", {1, kInfinity}}}), "not_finite", "infinity");
-  expect_error(call("egesp", "solve", {{"matrices", {{1, 0, 0}, {0, 1, 0}}}, {"right_sides", b}}), "bad_shape", "2×3");
-  expect_error(call("egesp", "solve", {{"matrices", identity}, {"right_sides", {1, 2, 3}}}), "bad_shape", "3 for 2");
-  expect_error(call("egesp", "solve", {{"matrices", {{1, 2}, {2, 4}}}, {"right_sides", b}}), "singular", "singular");
-  expect_error(call("egesp", "solve", {{"matrices", {{"shape", {2, 2}}, {"shared", "nobody/made/this"}}}, {"right_sides", b}}),
+  expect_error(call("egesp", "solve", {{"matrices", {{1, kNan}, {0, 1}}}, {"right_sides", b}}), "not_finite",
+               "NaN");
+  expect_error(call("egesp", "solve", {{"matrices", identity}, {"right_sides", {1, kInfinity}}}),
+               "not_finite", "infinity");
+  expect_error(call("egesp", "solve", {{"matrices", {{1, 0, 0}, {0, 1, 0}}}, {"right_sides", b}}),
+               "bad_shape", "2×3");
+  expect_error(call("egesp", "solve", {{"matrices", identity}, {"right_sides", {1, 2, 3}}}), "bad_shape",
+               "3 for 2");
+  expect_error(call("egesp", "solve", {{"matrices", {{1, 2}, {2, 4}}}, {"right_sides", b}}), "singular",
+               "singular");
+  expect_error(call("egesp", "solve",
+                    {{"matrices", {{"shape", {2, 2}}, {"shared", "nobody/made/this"}}}, {"right_sides", b}}),
                "unknown_array", "an array that is not there");
-  expect_error(call("egesp", "solve", {{"matrices", {{"shape", {-1, 2}}, {"data", Json::array()}}}, {"right_sides", b}}), "bad_shape",
-               "negative extent");
+  expect_error(call("egesp", "solve",
+                    {{"matrices", {{"shape", {-1, 2}}, {"data", Json::array()}}}, {"right_sides", b}}),
+               "bad_shape", "negative extent");
   const auto good = call("egesp", "solve", {{"matrices", {{2, 0}, {0, 4}}}, {"right_sides", b}});
   ASSERT_TRUE(good && good->error.is_null()) << good->error.dump();
 }
 
 TEST_F(HostileNumbers, FredRefusesThem) {
   const Json from = Json::array({{{"name", "x"}, {"value", 1}}});
-  expect_error(call("fred", "integrate", {{"equations", {"x' = -x"}}, {"from", from}, {"method", "rk5"}}), "unknown_name", "method");
-  expect_error(call("fred", "integrate", {{"equations", {"x' = -x +"}}, {"from", from}}), "syntax", "expression");
-  expect_error(call("fred", "integrate", {{"equations", {"x' = -y"}}, {"from", from}}), "unknown_name", "name");
-  expect_error(call("fred", "integrate", {{"equations", {"x' = -x"}}, {"from", Json::array({{{"name", "x"}, {"value", kNan}}})}}),
+  expect_error(call("fred", "integrate", {{"equations", {"x' = -x"}}, {"from", from}, {"t1", 1}, {"method", "rk5"}}),
+               "unknown_name", "method");
+  expect_error(call("fred", "integrate", {{"equations", {"x' = -x +"}}, {"from", from}, {"t1", 1}}), "syntax",
+               "expression");
+  expect_error(call("fred", "integrate", {{"equations", {"x' = -y"}}, {"from", from}, {"t1", 1}}), "unknown_name",
+               "name");
+  expect_error(call("fred", "integrate",
+                    {{"equations", {"x' = -x"}}, {"from", Json::array({{{"name", "x"}, {"value", kNan}}})}, {"t1", 1}}),
                "not_finite", "NaN");
-  expect_error(call("fred", "stage", {{"stage", 9}, {"step", 0.1}, {"state", {1, 2}}, {"derivatives", {{1, 2}}}}), "bad_params", "stage 9");
-  expect_error(call("fred", "stage", {{"stage", 1}, {"step", 0.1}, {"state", {1, 2}}, {"derivatives", {{1, 2, 3}}}}), "bad_shape", "shape");
+  expect_error(
+      call("fred", "stage", {{"stage", 9}, {"step", 0.1}, {"state", {1, 2}}, {"derivatives", {{1, 2}}}}),
+      "bad_params", "stage 9");
+  expect_error(
+      call("fred", "stage", {{"stage", 1}, {"step", 0.1}, {"state", {1, 2}}, {"derivatives", {{1, 2, 3}}}}),
+      "bad_shape", "shape");
 }
 
 TEST_F(HostileNumbers, ColisaoRefusesThem) {
-  const Json ball = {{"name", "ball"}, {"shape", "sphere"}, {"size_m", {1}}, {"mass_kg", 1}, {"inertia_kg_m2", {1, 0, 0, 0, 1, 0, 0, 0, 1}}};
+  const Json ball = {{"name", "ball"},
+                     {"shape", "sphere"},
+                     {"size_m", {1}},
+                     {"mass_kg", 1},
+                     {"inertia_kg_m2", {1, 0, 0, 0, 1, 0, 0, 0, 1}}};
   Json massless = ball, hollow = ball;
   massless["mass_kg"] = 0;
   hollow["size_m"] = {-1};
   expect_error(call("colisao", "prepare", {{"bodies", Json::array({massless})}}), "refused", "no mass");
   expect_error(call("colisao", "prepare", {{"bodies", Json::array({hollow})}}), "refused", "negative radius");
   const Json state = {{"shape", {13, 1}}, {"data", std::vector<double>(13, 0.5)}};
-  expect_error(call("colisao", "contacts", {{"handle", "nobody"}, {"state", state}}), "unknown_handle", "handle");
+  expect_error(call("colisao", "contacts", {{"handle", "nobody"}, {"state", state}}), "unknown_handle",
+               "handle");
   const auto prepared = call("colisao", "prepare", {{"bodies", Json::array({ball})}});
   ASSERT_TRUE(prepared && prepared->error.is_null()) << prepared->error.dump();
   const Json handle = prepared->result.at("handle");
@@ -197,7 +222,9 @@ TEST_F(HostileNumbers, ColisaoRefusesThem) {
   expect_error(call("colisao", "contacts", {{"handle", handle}, {"state", small}}), "bad_shape", "12 rows");
   std::vector<double> numbers(13, 0.5);
   numbers[3] = kNan;
-  expect_error(call("colisao", "contacts", {{"handle", handle}, {"state", {{"shape", {13, 1}}, {"data", numbers}}}}), "not_finite", "NaN");
+  expect_error(
+      call("colisao", "contacts", {{"handle", handle}, {"state", {{"shape", {13, 1}}, {"data", numbers}}}}),
+      "not_finite", "NaN");
 }
 
 }  // namespace animado::suite

@@ -19,7 +19,8 @@ Bytes packed(int64_t id, const std::string& method, const Json& params) {
   return Json::to_msgpack(Json::array({0, id, method, Json::array({params})}));
 }
 
-RawClient::RawClient(const std::filesystem::path& socket) : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+RawClient::RawClient(const std::filesystem::path& socket)
+    : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::strncpy(address.sun_path, socket.c_str(), sizeof address.sun_path - 1);
@@ -28,7 +29,9 @@ RawClient::RawClient(const std::filesystem::path& socket) : fd_(::socket(AF_UNIX
   }
 }
 
-RawClient::~RawClient() { close(fd_); }
+RawClient::~RawClient() {
+  close(fd_);
+}
 
 void RawClient::send(const Bytes& bytes) {
   for (size_t sent = 0; sent < bytes.size();) {

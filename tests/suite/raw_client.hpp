@@ -1,4 +1,5 @@
-// A client that shares no code with src/rpc: it speaks to a socket as another language would, and may say anything.
+// A client that shares no code with src/rpc: it speaks to a socket as another language would, and may say
+// anything.
 #pragma once
 
 #include <cstdint>

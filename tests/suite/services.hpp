@@ -2,12 +2,11 @@
 // benchmarks.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <map>
 #include <string>
 
+#include "animado/child.hpp"
 #include "rpc/socket_suite.hpp"
 
 namespace animado::suite {
@@ -22,14 +21,14 @@ class Services {
   rpc::SocketSuite& suite() { return *suite_; }
   const std::filesystem::path& directory() const { return directory_; }
   std::filesystem::path socket(const std::string& service);
-  pid_t pid(const std::string& service) const { return processes_.at(service); }
-  bool is_running(const std::string& service) const;
+  pid_t pid(const std::string& service) const { return processes_.at(service).pid(); }
+  bool is_running(const std::string& service) const { return !processes_.at(service).wait(0); }
 
  private:
   void start(const std::string& service);
 
   std::filesystem::path directory_;
-  std::map<std::string, pid_t> processes_;
+  std::map<std::string, Child> processes_;
   std::unique_ptr<rpc::SocketSuite> suite_;
 };
 
