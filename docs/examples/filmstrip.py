@@ -2,10 +2,11 @@
 import csv
 import itertools
 import sys
+from math import cos, pi, sin
 
 EDGE_M, RADIUS_M = 1.0, 1.0  # cubo, esfera
-FRAME_WIDTH_M, TOP_M, BOTTOM_M = 2.4, 4.4, -2.2
-PIXELS_PER_M = 38
+FRAME_WIDTH_M, MARGIN_M = 2.3, 1.2
+PIXELS_PER_M = 32
 
 
 def rotated(q, v):
@@ -21,7 +22,6 @@ def segments(body):
     if body == "cubo":
         corners = list(itertools.product((-EDGE_M / 2, EDGE_M / 2), repeat=3))
         return [(a, b) for a, b in itertools.combinations(corners, 2) if sum(x != y for x, y in zip(a, b)) == 1]
-    from math import cos, pi, sin
     circle = [(RADIUS_M * cos(k * pi / 16), RADIUS_M * sin(k * pi / 16)) for k in range(33)]
     pairs = list(zip(circle, circle[1:]))
     return [((a[0], a[1], 0), (b[0], b[1], 0)) for a, b in pairs] + [((0, a[0], a[1]), (0, b[0], b[1])) for a, b in pairs]
@@ -30,14 +30,16 @@ def segments(body):
 def main():
     rows = list(csv.DictReader(open(sys.argv[1], encoding="utf-8")))
     frames = 1 + max(int(row["frame"]) for row in rows)
-    width, height = frames * FRAME_WIDTH_M * PIXELS_PER_M, (TOP_M - BOTTOM_M) * PIXELS_PER_M
+    heights_m = [float(row["py_m"]) for row in rows]
+    top_m, bottom_m = max(heights_m) + MARGIN_M, min(heights_m) - MARGIN_M
+    width, height = frames * FRAME_WIDTH_M * PIXELS_PER_M, (top_m - bottom_m) * PIXELS_PER_M
     print(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height + 24:.0f}" font-family="sans-serif">')
     print(f'<rect width="{width:.0f}" height="{height + 24:.0f}" fill="white"/>')
     for row in rows:
         center_m = (int(row["frame"]) + 0.5) * FRAME_WIDTH_M
         position = [float(row[key]) for key in ("px_m", "py_m", "pz_m")]
         q = [float(row[key]) for key in ("qw", "qx", "qy", "qz")]
-        to_page = lambda p: f"{(center_m + position[0] + p[0]) * PIXELS_PER_M:.1f} {(TOP_M - position[1] - p[1]) * PIXELS_PER_M:.1f}"
+        to_page = lambda p: f"{(center_m + position[0] + p[0]) * PIXELS_PER_M:.1f} {(top_m - position[1] - p[1]) * PIXELS_PER_M:.1f}"
         path = " ".join(f"M{to_page(rotated(q, a))}L{to_page(rotated(q, b))}" for a, b in segments(row["body"]))
         color = "#b3382c" if row["body"] == "cubo" else "#24579e"
         if row["body"] == "esfera":

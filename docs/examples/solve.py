@@ -31,4 +31,4 @@ def array(shape, *numbers):
 interexpserv = Service(sys.argv[1])
 egesp = Service(interexpserv.call("lookup", name="egesp")["socket"])
 reply = egesp.call("solve", matrices=array([2, 2], 2, 1, 1, 3), right_sides=array([2], 3, 5))
-print(struct.unpack("<2d", reply["solutions"]["data"]))  # 2x + y = 3, x + 3y = 5
+print("x = %g, y = %g" % struct.unpack("<2d", reply["solutions"]["data"]))  # of 2x + y = 3, x + 3y = 5

@@ -11,9 +11,11 @@ namespace animado {
 
 namespace {
 
-template <class Messages>
+template <class Messages, class Notifications = std::tuple<>>
 std::string page(std::string_view service, std::string_view introduction) {
-  return rpc::manual_page(service, introduction, rpc::codecs<Messages>());
+  auto messages = rpc::codecs<Messages>();
+  for (const rpc::MessageCodec* notification : rpc::codecs<Notifications>()) messages.push_back(notification);
+  return "\n" + rpc::manual_page(service, introduction, messages);
 }
 
 }  // namespace
@@ -24,7 +26,7 @@ void add_protocol_command(CommandLine& line) {
   command.callback([] {
     fmt::print(
         "{}{}{}{}{}", rpc::common_pages(),
-        page<interexpserv::Messages>(
+        page<interexpserv::Messages, interexpserv::Notifications>(
             "interexpserv",
             "Started first, at the one well-known address: who offers what, named values and "
             "expressions, shared arrays."),
