@@ -4,6 +4,7 @@
 #include "controle/scene/read_body.hpp"
 #include "controle/scene/read_world.hpp"
 #include "controle/scene/refusal.hpp"
+#include "controle/scene/scope.hpp"
 #include "controle/scene/text_file.hpp"
 
 namespace animado::controle {
@@ -31,6 +32,15 @@ void check_groups(const Scene& scene) {
   }
 }
 
+// From here on a definition means the same wherever it is read: the registry knows no blocks.
+void qualify_names(Scene& scene) {
+  const SceneScope scope(scene);
+  for (Definition& name : scene.names) {
+    name.value.text = scope.qualified(name.value);
+    name.value.owner = -1;
+  }
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& path) {
@@ -48,6 +58,7 @@ Scene parse_scene(const std::string& text, const std::string& path) {
   scene.time = read_time(outline, constants);
   check_groups(scene);
   check_expressions(scene);
+  qualify_names(scene);
   return scene;
 }
 

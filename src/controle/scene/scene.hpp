@@ -30,7 +30,7 @@ struct Expression {
 // `spring.k = 4*pi^2*ball.mass`: a name that expressions may use.
 struct Definition {
   std::string name;  // folded
-  Expression value;  // of any type, may depend on t and on state
+  Expression value;  // of any type, may depend on t and on state; no prefix left out
 };
 
 enum class Response { impulse, system15, spring };

@@ -1,6 +1,8 @@
 #include "controle/scene/scope.hpp"
 
+#include "controle/scene/lines.hpp"
 #include "controle/scene/refusal.hpp"
+#include "interexpserv/parser.hpp"
 
 namespace animado::controle {
 namespace {
@@ -85,6 +87,28 @@ interexpserv::Program SceneScope::compile(const Expression& expression, std::opt
   const std::string_view home =
       owner < 0 ? std::string_view() : scene_.bodies[static_cast<size_t>(owner)].folded_name;
   return compile_at(scene_.path, expression, *this, home, expected);
+}
+
+std::string SceneScope::qualified(const Expression& expression) const {
+  if (expression.owner < 0) return expression.text;
+  const std::string prefix = scene_.bodies[static_cast<size_t>(expression.owner)].folded_name + ".";
+  std::vector<size_t> columns;  // of the names that lack it
+  for (const interexpserv::Node& node : interexpserv::parse({expression.text, {}})) {
+    if (node.kind != interexpserv::Node::Kind::name) continue;
+    const bool component =
+        node.name.ends_with(".x") || node.name.ends_with(".y") || node.name.ends_with(".z");
+    const std::string whole = component ? node.name.substr(0, node.name.size() - 2) : node.name;
+    if (names_.find(prefix + node.name) || names_.find(prefix + whole)) columns.push_back(node.column);
+  }
+  std::sort(columns.begin(), columns.end());
+  const Line line(expression.place.line, expression.text);
+  std::string text;
+  size_t from = 0;
+  for (const size_t column : columns) {
+    text += line.written(from, column) + prefix;
+    from = column;
+  }
+  return text + line.written(from, line.folded().size());
 }
 
 interexpserv::Program compile_at(std::string_view path, const Expression& expression,

@@ -22,6 +22,9 @@ class SceneScope : public interexpserv::Scope {
   interexpserv::Program compile(const Expression& expression,
                                 std::optional<interexpserv::Type> expected = {}) const;
 
+  // The text with every prefix that its block lets it leave out: it means the same anywhere.
+  std::string qualified(const Expression& expression) const;
+
   const StateNames& state_names() const { return names_; }
 
  private:

@@ -57,6 +57,15 @@ TEST(SceneScope, DefinitionsReadTheBlockTheyStandIn) {
   EXPECT_DOUBLE_EQ(scope.compile(scene.bodies[1].forces[0], Type::vector).constant().v[1], -29.43);
 }
 
+TEST(SceneScope, DefinitionsMeanTheSameOutsideTheirBlock) {
+  const Scene scene = scene_of(
+      "object ball\n mass 3\n pull.k = 2\n pull.down = (Mass + sin(position.x) * pull.k) * velocity - "
+      "ball.position");
+  EXPECT_EQ(scene.names[1].value.text,
+            "(ball.Mass + sin(ball.position.x) * pull.k) * ball.velocity - ball.position");
+  EXPECT_EQ(scene.names[1].value.owner, -1);
+}
+
 TEST(SceneScope, ChangesOfTheSceneAreSeenByTheNextCompile) {
   Scene scene = scene_of("object ball\n mass 3\n force (1, 0, 0)");
   const SceneScope scope(scene);
