@@ -20,6 +20,7 @@ namespace animado::rpc::testing {
 
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
+using namespace std::string_literals;
 
 enum class Color { red, green, blue };
 constexpr auto names(const Color*) {
@@ -68,6 +69,21 @@ struct Echo {
   };
   using Reply = Request;
 };
+
+inline Echo::Request full_request() {
+  Echo::Request r;
+  r.flag = true;
+  r.count = -3;
+  r.ratio = 2.0;
+  r.label = "olá";
+  r.color = Color::blue;
+  r.array = Array::inlined({2, 2}, {1, -0.0, 1e-300, 4});
+  r.list = {1, 2, 3};
+  r.lists = {{1}, {}, {2, 3}};
+  r.points = {{1, 2}, {3, 4}};
+  r.maybe = 0.25;
+  return r;
+}
 
 struct Empty {
   static constexpr auto name = "empty"sv;

@@ -9,21 +9,6 @@
 namespace animado::rpc::testing {
 namespace {
 
-Echo::Request full_request() {
-  Echo::Request r;
-  r.flag = true;
-  r.count = -3;
-  r.ratio = 2.0;
-  r.label = "olá";
-  r.color = Color::blue;
-  r.array = Array::inlined({2, 2}, {1, -0.0, 1e-300, 4});
-  r.list = {1, 2, 3};
-  r.lists = {{1}, {}, {2, 3}};
-  r.points = {{1, 2}, {3, 4}};
-  r.maybe = 0.25;
-  return r;
-}
-
 std::string text(const Echo::Request& request) {
   return to_json(type_of<Echo::Request>(), &request);
 }
