@@ -35,7 +35,11 @@ void Encoder::integer(int64_t value) {
 }
 
 void Encoder::number(double value) {
-  packed(out_, [&](auto& p) { p.pack_double(value); });
+  // msgpack-cxx would write 2.0 as the integer 2, and −0.0 as 0: the sign would be lost on the way.
+  const uint64_t bits = std::bit_cast<uint64_t>(value);
+  char bytes[9] = {'\xcb'};
+  for (int i = 1; i <= 8; ++i) bytes[i] = static_cast<char>(bits >> (64 - 8 * i));
+  out_.append(bytes, sizeof bytes);
 }
 
 void Encoder::text(std::string_view value) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <bit>
 #include <limits>
 #include <msgpack.hpp>
 
@@ -73,6 +74,14 @@ TEST(Codec, IntegersOfEverySizeComeBack) {
     Echo::Request request;
     request.count = value;
     EXPECT_EQ(read(packed(request)).count, value);
+  }
+}
+
+TEST(Codec, NumbersKeepTheirBits) {
+  for (double value : {-0.0, 2.0, 1e300, 5e-324, -1.0 / 3}) {
+    Echo::Request request;
+    request.ratio = value;
+    EXPECT_EQ(std::bit_cast<uint64_t>(read(packed(request)).ratio), std::bit_cast<uint64_t>(value)) << value;
   }
 }
 

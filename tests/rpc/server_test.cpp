@@ -18,16 +18,19 @@ class Raw {
  public:
   explicit Raw(const fs::path& socket) : connection_(connect_to(socket)) {}
 
+  // Hands over what the server takes now; the rest goes while replies are waited for.
   void send(std::string_view bytes) {
     connection_.out() += bytes;
-    while (connection_.flush() && connection_.unsent() > 0) wait(POLLOUT);
+    connection_.flush();
   }
   void send_json(std::string_view json) { send(packed_of(json)); }
   // The next message, or "closed".
   std::string receive() {
     std::string_view message;
     while (!connection_.next_message(message)) {
-      wait(POLLIN);
+      const bool more = connection_.flush() && connection_.unsent() > 0;
+      pollfd entry{connection_.fd(), static_cast<short>(more ? POLLIN | POLLOUT : POLLIN), 0};
+      if (poll(&entry, 1, 10000) != 1) throw std::runtime_error("the server says nothing");
       if (connection_.receive() == Connection::Received::closed) return "closed";
     }
     return json_of(message);
@@ -42,10 +45,6 @@ class Raw {
   }
 
  private:
-  void wait(short events) {
-    pollfd entry{connection_.fd(), events, 0};
-    ASSERT_EQ(poll(&entry, 1, 10000), 1) << "the server says nothing";
-  }
   Connection connection_;
 };
 
