@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "colisao/anderson.hpp"
 #include "colisao/frame.hpp"
 #include "colisao/impulse.hpp"
 #include "colisao/response_tolerances.hpp"
@@ -104,6 +105,30 @@ double visit(Block& k) {
   return (k.K * change).norm();
 }
 
+// Visits all contacts, forwards and then backwards; returns the largest change.
+double sweep(std::vector<Block>& blocks) {
+  double largest = 0;
+  for (auto k = blocks.begin(); k != blocks.end(); ++k) largest = std::max(largest, visit(*k));
+  for (auto k = blocks.rbegin(); k != blocks.rend(); ++k) largest = std::max(largest, visit(*k));
+  return largest;
+}
+
+Anderson::Vector impulses(const std::vector<Block>& blocks) {
+  Anderson::Vector all(3 * static_cast<Eigen::Index>(blocks.size()));
+  Eigen::Index row = 0;
+  for (const Block& k : blocks) all.segment<3>(3 * row++) = k.impulse;
+  return all;
+}
+
+void jump(std::vector<Block>& blocks, const Anderson::Vector& target) {
+  Eigen::Index row = 0;
+  for (Block& k : blocks) {
+    const Vec3 change = target.segment<3>(3 * row++) - k.impulse;
+    k.push(change);
+    k.impulse += change;
+  }
+}
+
 }  // namespace
 
 SolverReport solve_contacts(std::span<Moving> bodies, std::span<ContactConstraint> contacts,
@@ -123,15 +148,15 @@ SolverReport solve_contacts(std::span<Moving> bodies, std::span<ContactConstrain
   const int count = static_cast<int>(blocks.size());
   const int most = count == 0 ? 0 : std::clamp(kSolverVisits / count, kFewestIterations, kMostIterations);
   report.converged = count == 0;
+  Anderson anderson(kAndersonWindow);
   while (!report.converged && report.iterations < most) {
-    double largest = 0;
-    const bool forwards = report.iterations % 2 == 0;
-    for (int n = 0; n < count; ++n) {
-      largest = std::max(largest, visit(blocks[static_cast<size_t>(forwards ? n : count - 1 - n)]));
-    }
+    const Anderson::Vector before = impulses(blocks);
+    report.residual_m_s = sweep(blocks);
+    report.converged = report.residual_m_s <= small;
     ++report.iterations;
-    report.residual_m_s = largest;
-    report.converged = largest <= small;
+    const bool slow = report.iterations >= kPlainIterations && count <= kAndersonContacts;
+    if (slow && !report.converged && report.iterations < most)
+      jump(blocks, anderson.next(before, impulses(blocks)));
   }
   for (size_t n = 0; n < blocks.size(); ++n) contacts[n].impulse_N_s = blocks[n].to_world * blocks[n].impulse;
   return report;

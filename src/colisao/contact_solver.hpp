@@ -6,9 +6,10 @@
 //   P_t = −μ P_n u_t/|u_t| where u_t ≠ 0  (it slides against friction, or sticks)
 //
 // with u the relative velocity after all impulses. One visit solves these for one contact, the others held,
-// in closed form while it sticks and by a contraction while it slides; iterations visit all contacts forwards
-// and backwards in turn. Jourdan, Alart, Jean, "A Gauss–Seidel like algorithm to solve frictional contact
-// problems", CMAME 155 (1998), 31–47.
+// in closed form while it sticks and by a contraction while it slides; an iteration visits all contacts
+// forwards and then backwards. Jourdan, Alart, Jean, "A Gauss–Seidel like algorithm to solve frictional
+// contact problems", CMAME 155 (1998), 31–47. Near jamming that takes thousands of iterations, so that a
+// small island which is slow to converge is accelerated (anderson.hpp).
 #pragma once
 
 #include <span>

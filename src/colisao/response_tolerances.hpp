@@ -37,9 +37,15 @@ inline constexpr double kApproachTolerance = 1e-12;
 
 // Contact blocks that one call of the solver may visit, and the iterations that it may always make: a handful
 // of contacts converges, a heap of thousands stays affordable.
-inline constexpr int kSolverVisits = 400'000;
-inline constexpr int kFewestIterations = 60;
-inline constexpr int kMostIterations = 4000;
+inline constexpr int kSolverVisits = 200'000;
+inline constexpr int kFewestIterations = 30;
+inline constexpr int kMostIterations = 2000;
+
+// An island that is not through after so many iterations is near jamming, where the plain iteration needs
+// thousands; a window of a few steps brings it down to tens. A large heap ends by its bound anyway.
+inline constexpr int kPlainIterations = 15;
+inline constexpr int kAndersonWindow = 6;
+inline constexpr int kAndersonContacts = 100;
 
 // Relative velocities are differences: below this share of the velocities themselves they are rounding.
 inline constexpr double kRounding = 1e-15;

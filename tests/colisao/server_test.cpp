@@ -166,6 +166,37 @@ TEST_F(Server, AdvanceHoldsWhatRests) {
   EXPECT_NEAR(reply.state.values[2 * kVy + 1], 0, 1e-15);
 }
 
+TEST_F(Server, BoxSticksOnATiltedPlane) {  // with the geometry's contacts: tan 20° < μ
+  const Quat tilt(Eigen::AngleAxisd(20 * M_PI / 180, Vec3(0.3, 0, 1).normalized()));
+  const Vec3 normal = tilt * Vec3::UnitY();
+  BodyRecord plane = floor_record(), box = ball("box", 3, 1);
+  plane.size_m = {normal.x(), normal.y(), normal.z(), 0};
+  box.shape = ShapeKind::box;
+  box.size_m = {0.5, 0.3, 0.4};
+  plane.friction = box.friction = 0.5;
+  prepare({plane, box});
+  BodyState start = at(0.3 * normal);
+  start.pose.orientation = tilt;
+  std::vector<BodyState> states = {at({0, 0, 0}), start};
+  std::vector<double> accelerations(12, 0.0);
+  accelerations[3] = -9.81;
+  Advance::Request request;
+  request.accelerations = Array::inlined({6, 2}, accelerations);
+  request.step_s = 1.0 / 240;
+  request.substeps = 2;
+  for (int n = 0; n < 240; ++n) {
+    request.state = packed(states);
+    BodyState free = states[1];
+    free.pose.position_m += request.step_s * free.velocity_m_s;
+    request.free = packed({states[0], free});
+    const auto reply = client->advance(request);
+    ASSERT_EQ(reply.moved.size(), 1u);
+    states[1] = load_body(reply.state.values.data(), 2, 1);
+  }
+  EXPECT_LT((states[1].pose.position_m - start.pose.position_m).norm(), 1e-7);
+  EXPECT_LT(states[1].velocity_m_s.norm(), 1e-9);
+}
+
 TEST_F(Server, SpringsPushOverlappingBodiesApart) {
   prepare({floor_record(), ball("sinks", 2, 1)});
   Springs::Request request;
