@@ -10,7 +10,10 @@
 namespace animado::colisao {
 
 Body dynamic_body(double mass_kg, const Mat3& inertia_kg_m2, const Vec3& center_of_mass_m) {
-  if (!(mass_kg > 0)) throw Error(Code::refused, "the mass of a dynamic body must be positive", "mass_kg");
+  if (!(mass_kg > 0)) {
+    throw Error(Code::refused, "the mass of a dynamic body must be positive", "mass_kg",
+                "give its mass in kilograms, or make it static");
+  }
   const Eigen::LLT<Mat3> factor(inertia_kg_m2);
   if (factor.info() != Eigen::Success || !inertia_kg_m2.allFinite()) {
     throw Error(Code::refused, "the inertia tensor of a dynamic body must be positive definite",
