@@ -212,5 +212,29 @@ TEST(Compile, ChainsOfDefinitionsAreALimit) {
   expect_limit("n300", scope);
 }
 
+// A million definitions of definitions would be written out if each use were compiled again.
+TEST(Compile, SharedDefinitionsAreComputedOnce) {
+  MapScope scope;
+  scope.input("t", Type::scalar).define("a0", "sin(t)");
+  for (int i = 1; i <= 20; ++i) {
+    scope.define(fmt::format("a{}", i), fmt::format("a{0} + a{0}", i - 1));
+  }
+  const Program program = compile("a20", scope);
+  const double t = 0.5;
+  double value = 0;
+  program.evaluate(&t, &value);
+  EXPECT_EQ(value, std::sin(0.5) * 1048576);
+}
+
+TEST(Compile, LongSumsAreNoNesting) {
+  std::string text = "t";
+  for (int i = 0; i < 3000; ++i) text += "+t";
+  const Program program = compile(text, example_scope());
+  const double t = 1;
+  double value = 0;
+  program.evaluate(&t, &value);
+  EXPECT_EQ(value, 3001);
+}
+
 }  // namespace
 }  // namespace animado::interexpserv
