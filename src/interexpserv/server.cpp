@@ -25,8 +25,9 @@ using rpc::ConnectionId;
 using rpc::SharedArray;
 
 constexpr size_t kMaxArrays = 512;  // each holds a descriptor, and a process may open 1024
-constexpr int kMaxReadTries =
-    20'000;  // of an array that is being written: some milliseconds; its writer may be dead
+// How long an array may be under way. Writing one takes microseconds; a writer that was put aside for longer
+// than this is dead, and everybody else waits.
+constexpr std::chrono::milliseconds kMaxWait(100);
 
 std::string utc_now() {
   return fmt::format("{:%FT%TZ}",
@@ -117,10 +118,11 @@ class Pictures {
   std::vector<double> take(const std::string& name) const {
     const std::span<const double> array = arrays_.find(name).values();
     std::vector<double> copy(array.size());
-    for (int i = 0; i < kMaxReadTries; ++i) {
+    const auto deadline = std::chrono::steady_clock::now() + kMaxWait;
+    do {
       if (array.empty() || read_published(array, copy)) return copy;
       std::this_thread::yield();
-    }
+    } while (std::chrono::steady_clock::now() < deadline);
     throw Error(Code::unavailable, fmt::format("`{}` is being written all the time", name), name,
                 "ask again; if its writer was killed, restart it");
   }
@@ -229,9 +231,10 @@ class Registry {
     const auto inside = [&](int64_t element) { return element >= 1 && element < count; };
     const bool near = bound.stride >= -count && bound.stride <= count;  // so that nothing below overflows
     if (inside(bound.element) && near && inside(bound.element + steps * bound.stride)) return;
-    throw Error(Code::bad_shape,
-                fmt::format("`{}` would lie outside `{}`, which has {} elements", bound.name, bound.array, count),
-                bound.name, "element 0 is the counter; give elements behind it");
+    throw Error(
+        Code::bad_shape,
+        fmt::format("`{}` would lie outside `{}`, which has {} elements", bound.name, bound.array, count),
+        bound.name, "element 0 is the counter; give elements behind it");
   }
 
   NameState with_value(const NameRow& row, Pictures& pictures) const {
