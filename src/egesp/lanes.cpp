@@ -92,7 +92,8 @@ ANIMADO_INLINE Lane give(Lane v, Mask here, Lane difference) {
 // Systems side by side, A beside B. N, M: the size where it is known when compiling, else 0.
 template <int N, int M>
 struct Block {
-  static constexpr int kRows = N ? N : kLaneSize, kColumns = N ? N + M : 2 * kLaneSize;
+  static constexpr int kRows = N ? N : kLaneSize;
+  static constexpr int kColumns = N ? N + M : 2 * kLaneSize + 1;  // rows 4 KiB apart would share cache sets
   int n = N, columns = N + M;
   Lane a[kRows][kColumns];
   Lane inverse[kRows];  // of the pivots

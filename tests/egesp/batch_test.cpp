@@ -137,6 +137,20 @@ TEST_P(EveryInstructionSet, RefusedSystemsAreNamedAndSpoilNoOther) {
   }
 }
 
+// Wherever it stands: the server looks for such numbers only when a system was refused.
+TEST_P(EveryInstructionSet, ANumberThatIsNotFiniteRefusesItsSystemAlone) {
+  Uniform uniform;
+  for (double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    for (size_t element = 0; element < 42; ++element) {
+      Systems systems(16, 6, 1, true, uniform);
+      (element < 36 ? systems.a[element * 16 + 5] : systems.b[(element - 36) * 16 + 5]) = bad;
+      const auto refusals = systems.solve(GetParam());
+      ASSERT_EQ(refusals.size(), 1u) << bad << " at " << element;
+      EXPECT_EQ(refusals[0].system, 5u);
+    }
+  }
+}
+
 TEST_P(EveryInstructionSet, ThresholdAndCompletePivotingReachTheSolver) {
   Uniform uniform;
   Systems systems(9, 6, 1, false, uniform);
