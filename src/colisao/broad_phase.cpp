@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kLarge =
     4;  // times the median width: more bodies a cell would cost more than the separate list
+constexpr size_t kSample = 500;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Bounds {
@@ -73,33 +74,29 @@ class Grid {
  public:
   Grid(const std::vector<Bounds>& boxes, const std::vector<int>& members, double cell_m)
       : boxes_(boxes), members_(members), per_cell_(1 / cell_m) {
-    mask_ = static_cast<uint32_t>(std::bit_ceil(2 * members.size() + 1)) - 1;
+    mask_ = static_cast<uint32_t>(std::bit_ceil(4 * members.size())) - 1;
     first_.assign(mask_ + 2, 0);
-    cells_.reserve(members.size());
+    keys_.reserve(members.size());
     for (int i : members) {
-      cells_.push_back(cell_of(boxes[static_cast<size_t>(i)]));
-      ++first_[bucket(cells_.back()) + 1];
+      keys_.push_back(key(cell_of(boxes[static_cast<size_t>(i)])));
+      ++first_[bucket(keys_.back()) + 1];
     }
     for (size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
     sorted_.resize(members.size());
     std::vector<int> next(first_.begin(), first_.end() - 1);
     for (size_t m = 0; m < members.size(); ++m) {
-      sorted_[static_cast<size_t>(next[bucket(cells_[m])]++)] = static_cast<int>(m);
+      sorted_[static_cast<size_t>(next[bucket(keys_[m])]++)] = static_cast<int>(m);
     }
   }
 
   // Calls meet(i, j) for each pair of members whose boxes meet, i and j in any order.
   template <class Meet>
   void each_pair(Meet meet) const {
-    for (int m = 0; m < static_cast<int>(members_.size()); ++m) {
-      const Cell home = cells_[static_cast<size_t>(m)];
-      for (int64_t x = -1; x <= 1; ++x) {
-        for (int64_t y = -1; y <= 1; ++y) {
-          for (int64_t z = -1; z <= 1; ++z) {
-            // Half of the neighbours: the other half sees this pair from its own side.
-            if (x * 9 + y * 3 + z < 0) continue;
-            visit(m, {home[0] + x, home[1] + y, home[2] + z}, home, meet);
-          }
+    for (int x = -1; x <= 1; ++x) {
+      for (int y = -1; y <= 1; ++y) {
+        for (int z = -1; z <= 1; ++z) {
+          // Half of the neighbours: the other half sees the pair from its own side.
+          if (9 * x + 3 * y + z >= 0) each_pair_at({x, y, z}, meet);
         }
       }
     }
@@ -117,21 +114,25 @@ class Grid {
     return cell;
   }
 
-  uint32_t bucket(const Cell& c) const {
-    const auto mix = static_cast<uint64_t>(c[0]) * 0x9E3779B97F4A7C15u +
-                     static_cast<uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4Fu +
-                     static_cast<uint64_t>(c[2]) * 0x165667B19E3779F9u;
-    return static_cast<uint32_t>(mix >> 40) & mask_;
+  // Linear, so that a neighbour's key is the sum of the cell's and the offset's.
+  static uint64_t key(const Cell& c) {
+    return static_cast<uint64_t>(c[0]) * 0x9E3779B97F4A7C15u +
+           static_cast<uint64_t>(c[1]) * 0xC2B2AE3D27D4EB4Fu +
+           static_cast<uint64_t>(c[2]) * 0x165667B19E3779F9u;
   }
+  uint32_t bucket(uint64_t key) const { return static_cast<uint32_t>(key >> 40) & mask_; }
 
   template <class Meet>
-  void visit(int m, const Cell& cell, const Cell& home, Meet& meet) const {
-    const uint32_t b = bucket(cell);
-    for (int k = first_[b]; k < first_[b + 1]; ++k) {
-      const int other = sorted_[static_cast<size_t>(k)];
-      if (cells_[static_cast<size_t>(other)] != cell || (cell == home && other <= m)) continue;
-      const int i = members_[static_cast<size_t>(m)], j = members_[static_cast<size_t>(other)];
-      if (boxes_[static_cast<size_t>(i)].meets(boxes_[static_cast<size_t>(j)])) meet(i, j);
+  void each_pair_at(const Cell& offset, Meet& meet) const {
+    const uint64_t shift = key(offset);
+    for (size_t m = 0; m < members_.size(); ++m) {
+      const uint32_t b = bucket(keys_[m] + shift);
+      for (int k = first_[b]; k < first_[b + 1]; ++k) {
+        const auto other = static_cast<size_t>(sorted_[static_cast<size_t>(k)]);
+        if (keys_[other] != keys_[m] + shift || (shift == 0 && other <= m)) continue;
+        const int i = members_[m], j = members_[other];
+        if (boxes_[static_cast<size_t>(i)].meets(boxes_[static_cast<size_t>(j)])) meet(i, j);
+      }
     }
   }
 
@@ -140,16 +141,17 @@ class Grid {
   double per_cell_;
   uint32_t mask_ = 0;
   std::vector<int> first_, sorted_;
-  std::vector<Cell> cells_;
+  std::vector<uint64_t> keys_;
 };
 
+// Of an even sample: it only decides which list a body goes to.
 double median_width(const std::vector<Bounds>& boxes) {
   std::vector<double> widths;
-  widths.reserve(boxes.size());
-  for (const Bounds& box : boxes) {
-    if (std::isfinite(box.width())) widths.push_back(box.width());
+  const size_t stride = boxes.size() / kSample + 1;
+  for (size_t i = 0; i < boxes.size(); i += stride) {
+    if (std::isfinite(boxes[i].width())) widths.push_back(boxes[i].width());
   }
-  if (widths.empty()) return 0;
+  if (widths.empty()) return kInfinity;
   const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
   std::nth_element(widths.begin(), middle, widths.end());
   return *middle;
@@ -178,8 +180,9 @@ std::vector<Pair> candidate_pairs(std::span<const Collider> bodies, const double
   double cell_m = 0;
   for (size_t i = 0; i < n; ++i) {
     const double width = boxes[i].width();
-    (width <= widest ? small : large).push_back(static_cast<int>(i));
-    if (width <= widest) cell_m = std::max(cell_m, width);
+    const bool is_small = std::isfinite(width) && width <= widest;
+    (is_small ? small : large).push_back(static_cast<int>(i));
+    if (is_small) cell_m = std::max(cell_m, width);
   }
 
   std::vector<Pair> pairs;
@@ -209,6 +212,8 @@ std::vector<Pair> candidate_pairs(std::span<const Collider> bodies, const double
     for (size_t l = k + 1; l < large.size(); ++l) test(large[l]);
   }
   std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()),
+              pairs.end());  // cells whose keys are equal are searched twice
   return pairs;
 }
 
