@@ -5,8 +5,8 @@
 //   γ = argmin |f − ΔF γ|,   x ← g(x) − ΔG γ                (type II; Walker, Ni, SIAM J. Numer. Anal. 49
 //   (2011), 1715–1735)
 //
-// The map here is piecewise smooth: where a residual |f| grows instead of falling, what was learnt is
-// forgotten and the plain iteration goes on from g(x).
+// Directions that ΔF does not tell apart are left out. The map may be only piecewise smooth: the caller sees
+// whether the residual went down, and otherwise returns to where it was and forgets.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,6 +21,7 @@ class Anderson {
 
   // The next x from the last one and its image; both of one size throughout.
   Vector next(const Vector& x, const Vector& image);
+  void forget() { *this = Anderson(window_); }
 
  private:
   int window_;

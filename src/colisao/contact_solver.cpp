@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "colisao/anderson.hpp"
 #include "colisao/frame.hpp"
@@ -20,6 +21,9 @@ using Mat2 = Eigen::Matrix2d;
 // Visits to the sliding contraction: it starts from the last iteration's friction and need not be finished in
 // one visit.
 constexpr int kSlidingVisits = 8;
+
+// A jump this many times longer than the impulses themselves comes from steps that are all alike.
+constexpr double kFarthestJump = 10;
 
 // A contact in its collision frame: component 0 along the normal, 1 and 2 tangential.
 struct Block {
@@ -113,21 +117,80 @@ double sweep(std::vector<Block>& blocks) {
   return largest;
 }
 
-Anderson::Vector impulses(const std::vector<Block>& blocks) {
-  Anderson::Vector all(3 * static_cast<Eigen::Index>(blocks.size()));
-  Eigen::Index row = 0;
-  for (const Block& k : blocks) all.segment<3>(3 * row++) = k.impulse;
-  return all;
-}
+// The iteration with what speeds it up near jamming. A jump whose sweep is clearly worse than the best one is
+// taken back.
+class Iteration {
+ public:
+  explicit Iteration(std::vector<Block>& blocks) : blocks_(blocks), anderson_(kAndersonWindow) {}
 
-void jump(std::vector<Block>& blocks, const Anderson::Vector& target) {
-  Eigen::Index row = 0;
-  for (Block& k : blocks) {
-    const Vec3 change = target.segment<3>(3 * row++) - k.impulse;
-    k.push(change);
-    k.impulse += change;
+  // One sweep; returns the largest change of a relative velocity.
+  double advance(bool accelerated) {
+    const Anderson::Vector before = impulses();
+    const double change = sweep(blocks_);
+    if (jumped_ && !(change <= 2 * best_)) {
+      restore();
+      anderson_.forget();
+      jumped_ = false;
+      return last_;
+    }
+    best_ = std::min(best_, change);
+    last_ = change;
+    jumped_ = false;
+    if (accelerated) try_jump(before);
+    return change;
   }
-}
+
+  // Ends where the last sweep that counts did: every impulse in its cone.
+  void settle() {
+    if (jumped_) restore();
+  }
+
+ private:
+  struct Saved {
+    Vec3 impulse;
+    Moving a, b;
+  };
+
+  Anderson::Vector impulses() const {
+    Anderson::Vector all(3 * static_cast<Eigen::Index>(blocks_.size()));
+    Eigen::Index row = 0;
+    for (const Block& k : blocks_) all.segment<3>(3 * row++) = k.impulse;
+    return all;
+  }
+  void try_jump(const Anderson::Vector& before) {
+    const Anderson::Vector now = impulses();
+    const Anderson::Vector target = anderson_.next(before, now);
+    jumped_ = (target - now).norm() <= kFarthestJump * now.norm();
+    if (!jumped_) return anderson_.forget();
+    save();
+    jump(target);
+  }
+  void jump(const Anderson::Vector& target) {
+    Eigen::Index row = 0;
+    for (Block& k : blocks_) {
+      const Vec3 change = target.segment<3>(3 * row++) - k.impulse;
+      k.push(change);
+      k.impulse += change;
+    }
+  }
+  void save() {
+    saved_.clear();
+    for (const Block& k : blocks_) saved_.push_back({k.impulse, *k.a, *k.b});
+  }
+  void restore() {
+    for (size_t n = 0; n < blocks_.size(); ++n) {
+      blocks_[n].impulse = saved_[n].impulse;
+      *blocks_[n].a = saved_[n].a;
+      *blocks_[n].b = saved_[n].b;
+    }
+  }
+
+  std::vector<Block>& blocks_;
+  Anderson anderson_;
+  std::vector<Saved> saved_;
+  bool jumped_ = false;
+  double best_ = std::numeric_limits<double>::infinity(), last_ = 0;
+};
 
 }  // namespace
 
@@ -148,16 +211,20 @@ SolverReport solve_contacts(std::span<Moving> bodies, std::span<ContactConstrain
   const int count = static_cast<int>(blocks.size());
   const int most = count == 0 ? 0 : std::clamp(kSolverVisits / count, kFewestIterations, kMostIterations);
   report.converged = count == 0;
-  Anderson anderson(kAndersonWindow);
-  while (!report.converged && report.iterations < most) {
-    const Anderson::Vector before = impulses(blocks);
-    report.residual_m_s = sweep(blocks);
-    report.converged = report.residual_m_s <= small;
+  Iteration iteration(blocks);
+  double milestone = std::numeric_limits<double>::infinity();
+  int last_progress = 0;
+  while (!report.converged && report.iterations < most && report.iterations < last_progress + kPatience) {
     ++report.iterations;
     const bool slow = report.iterations >= kPlainIterations && count <= kAndersonContacts;
-    if (slow && !report.converged && report.iterations < most)
-      jump(blocks, anderson.next(before, impulses(blocks)));
+    report.residual_m_s = iteration.advance(slow);
+    report.converged = report.residual_m_s <= small;
+    if (report.residual_m_s <= milestone / 2) {
+      milestone = report.residual_m_s;
+      last_progress = report.iterations;
+    }
   }
+  iteration.settle();
   for (size_t n = 0; n < blocks.size(); ++n) contacts[n].impulse_N_s = blocks[n].to_world * blocks[n].impulse;
   return report;
 }

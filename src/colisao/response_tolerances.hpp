@@ -47,6 +47,10 @@ inline constexpr int kPlainIterations = 15;
 inline constexpr int kAndersonWindow = 6;
 inline constexpr int kAndersonContacts = 100;
 
+// Iterations without halving the residual after which more of them are of no use: it has reached the rounding
+// of a contact that is about to open, or the heap is too large for this solver.
+inline constexpr int kPatience = 150;
+
 // Relative velocities are differences: below this share of the velocities themselves they are rounding.
 inline constexpr double kRounding = 1e-15;
 
