@@ -107,6 +107,7 @@ class Step {
     all.impacts.insert(all.impacts.end(), island.impacts.begin(), island.impacts.end());
     all.dissipated_impact_J += island.dissipated_impact_J;
     all.dissipated_friction_J += island.dissipated_friction_J;
+    all.work_of_told_J += island.work_of_told_J;
     all.contacts += island.contacts;
     all.iterations = std::max(all.iterations, island.iterations);
     all.residual_m_s = std::max(all.residual_m_s, island.residual_m_s);

@@ -11,6 +11,18 @@ Quat turn(const Vec3& rotation_rad) {
   return angle == 0 ? Quat::Identity() : Quat(Eigen::AngleAxisd(angle, rotation_rad / angle));
 }
 
+// From one state to the other at the mean velocity. The velocities at the ends may be those of a path that
+// stops in between, and a cubic through both would be faster on the way than either.
+Path steady(BodyState start, BodyState end, double step_s) {
+  start.velocity_m_s = end.velocity_m_s = (end.pose.position_m - start.pose.position_m) / step_s;
+  Quat turned = start.pose.orientation.conjugate() * end.pose.orientation;
+  if (turned.w() < 0) turned.coeffs() = -turned.coeffs();
+  const Eigen::AngleAxisd whole(turned);
+  start.angular_velocity_body_rad_s = whole.angle() / step_s * whole.axis();
+  end.angular_velocity_body_rad_s = start.angular_velocity_body_rad_s;
+  return {start, end, step_s};
+}
+
 }  // namespace
 
 Flight::Flight(const Body& body, const BodyState& start, const Vec3& acceleration_m_s2,
@@ -25,7 +37,9 @@ Flight::Flight(const Body& body, const BodyState& start, const Vec3& acceleratio
 
 Flight::Flight(const Body& body, const BodyState& start, const BodyState& end, double step_s)
     : body_(body), state_(start), now_(moving(body, start)) {
-  if (body.motion == Motion::kinematic) path_.emplace(start, end, step_s);
+  if (body.motion != Motion::kinematic) return;
+  path_.emplace(steady(start, end, step_s));
+  now_ = moving(body_, path_->state(0));
 }
 
 // The angular momentum is carried, by the midpoint rule for the orientation, so that a torque-free body keeps

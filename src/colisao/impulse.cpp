@@ -56,6 +56,13 @@ Mat3 inverse_mass_at(const Moving& a, const Moving& b, const Vec3& point_m) {
   return inverse_mass_at(a, point_m) + inverse_mass_at(b, point_m);
 }
 
+double work_of_told_J(const Moving& a, const Moving& b, const Vec3& point_m, const Vec3& impulse_N_s) {
+  double work = 0;
+  if (!b.is_movable()) work += impulse_N_s.dot(b.velocity_at(point_m));
+  if (!a.is_movable()) work -= impulse_N_s.dot(a.velocity_at(point_m));
+  return work;
+}
+
 double rebound_m_s(double normal_velocity_m_s, double restitution, double contact_threshold_m_s) {
   return normal_velocity_m_s < -contact_threshold_m_s ? -restitution * normal_velocity_m_s : 0.0;
 }

@@ -37,6 +37,10 @@ Vec3 relative_velocity(const Moving& a, const Moving& b, const Vec3& point_m);
 // K, world axes. Positive definite when one of the two is movable.
 Mat3 inverse_mass_at(const Moving& a, const Moving& b, const Vec3& point_m);
 
+// The work that a body which moves as it is told (kinematic) does on the other one through an impulse P on a;
+// 0 between movable or fixed bodies.
+double work_of_told_J(const Moving& a, const Moving& b, const Vec3& point_m, const Vec3& impulse_N_s);
+
 // u'·k that restitution asks for: −ε u·k, or 0 when the approach is slower than the contact threshold.
 double rebound_m_s(double normal_velocity_m_s, double restitution, double contact_threshold_m_s);
 

@@ -65,6 +65,7 @@ void IslandMotion::answer_impacts(std::vector<Moving>& now, std::vector<Near>& n
   const SimultaneousResult result = respond_together(now, meets, bodies_.contact_threshold_m_s);
   account_.dissipated_impact_J += result.dissipated_impact_J;
   account_.dissipated_friction_J += result.dissipated_friction_J;
+  account_.work_of_told_J += result.work_of_told_J;
   account_.residual_m_s = std::max(account_.residual_m_s, result.residual_m_s);
   for (const AnsweredImpact& impact : result.impacts) {
     const Contact& c = meets[static_cast<size_t>(impact.meet)].contact;
@@ -101,6 +102,7 @@ void IslandMotion::hold(const std::vector<Moving>& now, std::vector<Moving>& ahe
     const double normal_work = P.dot(c.normal) * mean.dot(c.normal);
     account_.dissipated_impact_J -= normal_work;
     account_.dissipated_friction_J -= P.dot(mean) - normal_work;
+    account_.work_of_told_J += work_of_told_J(now[a], now[b], c.point_m, P);
     last_[{held[n]->pair, c.feature}] = P;
     touch(c);
   }

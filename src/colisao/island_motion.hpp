@@ -40,7 +40,7 @@ struct TimedImpact {
 
 struct ContactAccount {
   std::vector<TimedImpact> impacts;
-  double dissipated_impact_J = 0, dissipated_friction_J = 0;
+  double dissipated_impact_J = 0, dissipated_friction_J = 0, work_of_told_J = 0;
   int contacts = 0;    // of the last sub-step
   int iterations = 0;  // the most of any sub-step
   double residual_m_s = 0;

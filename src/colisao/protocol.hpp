@@ -203,7 +203,7 @@ struct Respond {
   struct Reply {
     Array state;
     std::vector<ImpactRecord> impacts;
-    double dissipated_impact_J = 0, dissipated_friction_J = 0;
+    double dissipated_impact_J = 0, dissipated_friction_J = 0, kinematic_work_J = 0;
     int64_t rounds = 0;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
@@ -211,6 +211,7 @@ struct Respond {
       field("impacts", s.impacts, "what was answered; empty when nothing approached");
       field("dissipated_impact_J", s.dissipated_impact_J, "kinetic energy lost along the normals");
       field("dissipated_friction_J", s.dissipated_friction_J, "kinetic energy lost to friction");
+      field("kinematic_work_J", s.kinematic_work_J, "work of kinematic bodies on the others");
       field("rounds", s.rounds, "rounds of reflection");
     }
   };
@@ -246,7 +247,7 @@ struct Advance {
     Array state;
     std::vector<int64_t> moved;
     std::vector<ImpactRecord> impacts;
-    double dissipated_impact_J = 0, dissipated_friction_J = 0;
+    double dissipated_impact_J = 0, dissipated_friction_J = 0, kinematic_work_J = 0;
     int64_t islands = 0, contacts = 0, iterations = 0;
     double residual_m_s = 0;
     template <class Self, class F>
@@ -256,6 +257,7 @@ struct Advance {
       field("impacts", s.impacts, "impacts inside the islands (crowded)");
       field("dissipated_impact_J", s.dissipated_impact_J, "kinetic energy lost along the normals");
       field("dissipated_friction_J", s.dissipated_friction_J, "kinetic energy lost to friction");
+      field("kinematic_work_J", s.kinematic_work_J, "work of kinematic bodies on the others");
       field("islands", s.islands, "islands");
       field("contacts", s.contacts, "contact points of the last sub-step");
       field("iterations", s.iterations, "iterations of the contact solver, the most of any sub-step");

@@ -150,6 +150,7 @@ Respond::Reply respond(const Respond::Request& request, const Prepared& bodies, 
   reply.state = std::move(out).take();
   reply.dissipated_impact_J = result.dissipated_impact_J;
   reply.dissipated_friction_J = result.dissipated_friction_J;
+  reply.kinematic_work_J = result.work_of_told_J;
   reply.rounds = result.rounds;
   return reply;
 }
@@ -176,6 +177,7 @@ Advance::Reply advance_bodies(const Advance::Request& request, const Prepared& b
   }
   reply.dissipated_impact_J = result.account.dissipated_impact_J;
   reply.dissipated_friction_J = result.account.dissipated_friction_J;
+  reply.kinematic_work_J = result.account.work_of_told_J;
   reply.islands = result.islands;
   reply.contacts = result.account.contacts;
   reply.iterations = result.account.iterations;

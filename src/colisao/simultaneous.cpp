@@ -191,6 +191,8 @@ class Rounds {
       const double normal_work = answer.impulses[n].dot(k) * mean.dot(k);
       result_.dissipated_impact_J -= normal_work;
       result_.dissipated_friction_J -= answer.impulses[n].dot(mean) - normal_work;
+      const Contact& c = meet(group[n]).contact;
+      result_.work_of_told_J += work_of_told_J(body(c.a), body(c.b), c.point_m, answer.impulses[n]);
       AnsweredImpact& total = total_[static_cast<size_t>(group[n])];
       total.impulse_N_s += answer.impulses[n];
       if (answer.impulses[n] != Vec3::Zero())

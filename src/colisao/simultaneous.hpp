@@ -49,6 +49,7 @@ struct AnsweredImpact {
 struct SimultaneousResult {
   std::vector<AnsweredImpact> impacts;  // the contacts that carried an impulse, in order
   double dissipated_impact_J = 0, dissipated_friction_J = 0;  // along the normals; tangential
+  double work_of_told_J = 0;                                  // by kinematic bodies on the others
   int rounds = 0;
   bool converged =
       true;  // nothing approaches faster than allowed; false when the last projection did not converge

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "controle/scene/scope.hpp"
-#include "interexpserv/qualify.hpp"
 
 namespace animado::controle {
 namespace {
@@ -36,12 +35,7 @@ std::vector<std::pair<std::string, std::string>> definitions_of(const Scene& sce
     definitions.emplace_back(force, text_of(scope, force));
     definitions.emplace_back(body.folded_name + ".torque", sum_of(body.torques));
   }
-  for (const Definition& name : scene.names) {
-    const int owner = name.value.owner;
-    definitions.emplace_back(name.name, owner < 0 ? name.value.text
-                                                  : interexpserv::qualified(name.value.text, scope,
-                                                                            scene.bodies[static_cast<size_t>(owner)].folded_name));
-  }
+  for (const Definition& name : scene.names) definitions.emplace_back(name.name, name.value.text);
   return definitions;
 }
 

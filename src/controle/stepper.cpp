@@ -177,10 +177,17 @@ std::optional<colisao::ContactRecord> Stepper::nearest_contact(int64_t a, int64_
   return nearest;
 }
 
+template <class Reply>
+void Stepper::book(const Reply& reply) {
+  flows_.work_in_J += reply.kinematic_work_J;
+  flows_.dissipated_impacts_J += reply.dissipated_impact_J;
+  flows_.dissipated_friction_J += reply.dissipated_friction_J;
+}
+
 // next becomes now.
 void Stepper::accept(double end_s) {
   record(pending_.impacts);
-  book(pending_.dissipated_impact_J, pending_.dissipated_friction_J);
+  book(pending_);
   for (const Work& work : work_) {
     flows_.work_in_J += work.done_J;
     flows_.dissipated_damping_J += work.damped_J;
@@ -204,7 +211,7 @@ void Stepper::respond() {
   const auto reply = meter_.timed("colisao", [&] { return colisao_.respond(request); });
   if (reply.impacts.empty()) return;
   record(reply.impacts);
-  book(reply.dissipated_impact_J, reply.dissipated_friction_J);
+  book(reply);
   std::swap(now_, next_);
 }
 
@@ -269,11 +276,6 @@ void Stepper::check_finite() const {
                   "force and torque, or give `world` a smaller `substep`.");
     }
   }
-}
-
-void Stepper::book(double dissipated_impact_J, double dissipated_friction_J) {
-  flows_.dissipated_impacts_J += dissipated_impact_J;
-  flows_.dissipated_friction_J += dissipated_friction_J;
 }
 
 }  // namespace animado::controle

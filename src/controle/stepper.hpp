@@ -53,7 +53,8 @@ class Stepper {
   double move_to_impact(double step_s, const colisao::Sweep::Reply& hit);
   std::optional<colisao::ContactRecord> nearest_contact(int64_t a, int64_t b);
   void accept(double end_s);
-  void book(double dissipated_impact_J, double dissipated_friction_J);
+  template <class Reply>
+  void book(const Reply& reply);  // what contacts did to the energy
   void respond();
   void record(const std::vector<colisao::ImpactRecord>& impacts);
   void follow_contacts();
