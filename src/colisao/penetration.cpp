@@ -16,6 +16,7 @@ constexpr double kRounding = 4e-15;      // of the extent
 constexpr size_t kStarts = 8;            // the best of the start directions, from which it climbs
 constexpr double kApart = 0.95;          // cosine: starts nearer to each other would climb the same hill
 constexpr int kSpread = 64;
+constexpr double kShallow = 1e-2;  // of the smaller size: a depth below this has no rival worth a search
 // How far A is moved away from B, of the smaller size: less at every step, since the normal's error falls by
 // lift / (lift + radius of curvature), and never so little that rounding turns the normal.
 constexpr double kLift = 1.0 / 128, kLeastLift = 1e-4;
@@ -110,7 +111,8 @@ Separation penetration(const Placed& a, const Placed& b) {
 
   Separation best = ascend(a, b, starts[order[0].second]);
   std::vector<Vec3> climbed{starts[order[0].second]};
-  for (size_t k = 1; k < order.size() && climbed.size() < kStarts; ++k) {
+  const double shallow = -kShallow * size_of(a, b);
+  for (size_t k = 1; k < order.size() && climbed.size() < kStarts && best.separation_m < shallow; ++k) {
     const Vec3& start = starts[order[k].second];
     if (std::any_of(climbed.begin(), climbed.end(), [&](const Vec3& c) { return c.dot(start) > kApart; }))
       continue;

@@ -72,6 +72,7 @@ class Approach {
       }
       time_s = until_s_;
     }
+    // Never seen: so many advances leave no motion between the two that could be told from rounding.
     return {true, false, time_s, gap_at(time_s).gap_m};
   }
 
