@@ -28,11 +28,14 @@ std::vector<Top> free_tops(size_t count) {
   return tops;
 }
 
-double top_mass_kg() { return 8 * kHalf_m.prod(); }
+double top_mass_kg() {
+  return 8 * kHalf_m.prod();
+}
 
 Vec3 top_inertia_kg_m2() {
   const Vec3 squares = kHalf_m.cwiseProduct(kHalf_m);
-  return top_mass_kg() / 3 * Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y());
+  return top_mass_kg() / 3 *
+         Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y());
 }
 
 controle::Scene free_tops_scene(size_t count) {
@@ -59,7 +62,8 @@ AngularMomentumError::AngularMomentumError(const std::vector<Top>& start) {
 }
 
 void AngularMomentumError::add(size_t top, const Quat& orientation, const Vec3& angular_velocity_rad_s) {
-  const Vec3 now = orientation * top_inertia_kg_m2().cwiseProduct(orientation.conjugate() * angular_velocity_rad_s);
+  const Vec3 now =
+      orientation * top_inertia_kg_m2().cwiseProduct(orientation.conjugate() * angular_velocity_rad_s);
   sum_ += (now - start_[top]).norm() / start_[top].norm();
   ++count_;
 }

@@ -1,4 +1,5 @@
-// The scene free10k: boxes on a lattice that turn freely, angular velocities from a fixed generator (no gravity, no contact).
+// The scene free10k: boxes on a lattice that turn freely, angular velocities from a fixed generator (no
+// gravity, no contact).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// A step of 10,000 free tops, in-process and on one thread: RK4 with egesp solving at every stage and colisao sweeping, beside Bullet and ODE, which
-// make one explicit step. `error10s` is what became of the angular momentum after 10 s.
+// A step of 10,000 free tops, in-process and on one thread: RK4 with egesp solving at every stage and colisao
+// sweeping, beside Bullet and ODE, which make one explicit step. `error10s` is what became of the angular
+// momentum after 10 s.
 #include <benchmark/benchmark.h>
 #include <btBulletDynamicsCommon.h>
 #include <ode/ode.h>
@@ -18,7 +19,8 @@ constexpr int kSteps = 600;
 void report(benchmark::State& state, double error) {
   state.counters["error10s"] = error;
   state.counters["ns_a_body"] =
-      benchmark::Counter(static_cast<double>(kTops) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      benchmark::Counter(static_cast<double>(kTops) * 1e-9,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 double animado_error(const controle::Stepper& stepper) {
@@ -32,7 +34,8 @@ double animado_error(const controle::Stepper& stepper) {
 
 void FreeTopsAnimado(benchmark::State& state) {
   const auto suite = suite_in_process();
-  controle::Simulation simulation(free_tops_scene(kTops), *suite, "bench", [](const auto&) {});
+  rpc::Log silent;
+  controle::Simulation simulation(free_tops_scene(kTops), *suite, "bench", silent, [](const auto&) {});
   controle::Stepper& stepper = simulation.stepper();
   int steps = 0;
   for (auto _ : state) stepper.advance_to(kStep_s * ++steps);
@@ -47,7 +50,9 @@ void FreeTopsBullet(benchmark::State& state) {
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   world.setGravity({0, 0, 0});
-  const auto vector = [](const Vec3& v) { return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z())); };
+  const auto vector = [](const Vec3& v) {
+    return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
+  };
   btBoxShape box(vector(kHalf_m));
   btVector3 inertia;
   box.calculateLocalInertia(btScalar(top_mass_kg()), inertia);

@@ -1,5 +1,5 @@
-// An empty call to a service beside 64 bytes thrown to and fro on a bare socket. Both ends of both wait in the same way: they look, yield the
-// processor, look again for up to 50 µs, then block.
+// An empty call to a service beside 64 bytes thrown to and fro on a bare socket. Both ends of both wait in
+// the same way: they look, yield the processor, look again for up to 50 µs, then block.
 #include <benchmark/benchmark.h>
 #include <poll.h>
 #include <sched.h>
@@ -48,7 +48,8 @@ void RoundTripRaw(benchmark::State& state) {
   }
   close(ends[1]);
   for (auto _ : state) {
-    if (send(ends[0], message.data(), message.size(), 0) < 0 || !receive(ends[0], message)) state.SkipWithError("the peer is gone");
+    if (send(ends[0], message.data(), message.size(), 0) < 0 || !receive(ends[0], message))
+      state.SkipWithError("the peer is gone");
   }
   close(ends[0]);
   waitpid(child, nullptr, 0);

@@ -1,4 +1,5 @@
-// What a step costs with five processes and with one: RK4 with egesp, fred and colisao in the loop, for few bodies and for many.
+// What a step costs with five processes and with one: RK4 with egesp, fred and colisao in the loop, for few
+// bodies and for many.
 #include <benchmark/benchmark.h>
 
 #include "animado/in_process.hpp"
@@ -11,8 +12,9 @@ namespace {
 
 void step(benchmark::State& state, rpc::Suite& suite) {
   static int runs = 0;  // shared arrays are named once
-  controle::Simulation simulation(free_tops_scene(static_cast<size_t>(state.range(0))), suite, fmt::format("bench/{}", ++runs),
-                                  [](const auto&) {});
+  rpc::Log silent;
+  controle::Simulation simulation(free_tops_scene(static_cast<size_t>(state.range(0))), suite,
+                                  fmt::format("bench/{}", ++runs), silent, [](const auto&) {});
   int steps = 0;
   for (auto _ : state) simulation.stepper().advance_to(kStep_s * ++steps);
 }

@@ -18,7 +18,7 @@ SpringContacts::SpringContacts(colisao::Client& colisao, Workspace& workspace, M
 colisao::Springs::Reply SpringContacts::springs(const Lanes& state) {
   const auto n = static_cast<int64_t>(inertias_.size());
   request_.state = rpc::Array::named(state.array.shared, {kStateRows, n});
-  return meter_.timed("colisao", [&] { return colisao_.springs(request_); });
+  return meter_.timed("colisao", "springs", [&] { return colisao_.springs(request_); });
 }
 
 double SpringContacts::stored_J(const Lanes& state) {

@@ -11,8 +11,8 @@ Mat3 about_origin(const Inertia& body) {
   return body.inertia_kg_m2 - body.mass_kg * c * c;
 }
 
-// Body → world. The quaternion of a stage has unit length only to the method's order: divided by its square, the matrix is orthogonal all the
-// same, and a force that goes into body axes and comes back is what it was.
+// Body → world. The quaternion of a stage has unit length only to the method's order: divided by its square,
+// the matrix is orthogonal all the same, and a force that goes into body axes and comes back is what it was.
 struct Rotation {
   double xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };

@@ -69,7 +69,7 @@ void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
   forces_.evaluate({state.values, bodies_, time_s}, wrenches_.data(), powers_[stage].data());
   if (contact_forces_) contact_powers_W_[stage] = contact_forces_->add(state, wrenches_.data());
   equations_.right_sides(state.values, wrenches_.data(), right_sides_.values);
-  meter_.timed("egesp", [&] { return egesp_.call<egesp::Solve>(solve_); });
+  meter_.timed("egesp", "solve", [&] { return egesp_.call<egesp::Solve>(solve_); });
   equations_.rates(state.values, accelerations_.values, rates_.values + stage * kStateRows * bodies_);
 }
 
@@ -84,7 +84,7 @@ void FreeMotion::step(const Lanes& from, double time_s, double step_s, const Lan
     const Lanes& next = last ? to : stage_state_;
     stage_.stage = static_cast<int64_t>(s + 1);
     stage_.out = next.array;
-    meter_.timed("fred", [&] { return fred_.call<fred::Stage>(stage_); });
+    meter_.timed("fred", "stage", [&] { return fred_.call<fred::Stage>(stage_); });
     kinematics_.place(next.values, bodies_, time_s + (last ? step_s : nodes_[s + 1] * step_s));
   }
   normalize(to.values);

@@ -33,7 +33,7 @@ void LiveNames::bind() {
     add(".orientation.qy", Type::scalar, kQy);
     add(".orientation.qz", Type::scalar, kQz);
   }
-  client_.bind(std::move(names));
+  call("bind", [&] { return client_.bind(std::move(names)); });
 }
 
 void LiveNames::define() {
@@ -42,7 +42,7 @@ void LiveNames::define() {
     known_[name] = text;
     definitions.push_back({name, text});
   }
-  version_ = definitions.empty() ? client_.changes(0).version : client_.define(std::move(definitions));
+  version_ = call("define", [&] { return client_.define(std::move(definitions)); });
 }
 
 void LiveNames::publish() {
@@ -60,7 +60,7 @@ void LiveNames::publish() {
 
 void LiveNames::frame() {
   publish();
-  const auto changes = client_.changes(version_);
+  const auto changes = call("changes", [&] { return client_.changes(version_); });
   version_ = changes.version;
   for (const interexpserv::NameState& name : changes.names) {
     const auto known = known_.find(name.name);
@@ -76,7 +76,8 @@ void LiveNames::take(const interexpserv::NameState& name) {
   } catch (const Error&) {
     // The registry knows names that the scene does not (another run's, say): such an edit cannot act here.
     const auto known = known_.find(name.name);
-    version_ = known == known_.end() ? client_.remove({name.name}) : client_.set(name.name, known->second);
+    version_ = known == known_.end() ? call("remove", [&] { return client_.remove({name.name}); })
+                                     : call("set", [&] { return client_.set(name.name, known->second); });
     return;
   }
   known_[name.name] = name.text;

@@ -30,6 +30,10 @@ class LiveNames {
   void define();
   void publish();
   void take(const interexpserv::NameState& edited);
+  template <class F>
+  auto call(const char* message, F&& ask) {
+    return simulation_.meter().timed("interexpserv", message, ask);
+  }
 
   interexpserv::Client client_;
   Simulation& simulation_;

@@ -1,4 +1,5 @@
-// controle: steps a scene's time with the other modules, which it finds through interexpserv. `animado run` starts it.
+// controle: steps a scene's time with the other modules, which it finds through interexpserv. `animado run`
+// starts it.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -24,14 +25,18 @@ int exit_code(Code code) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "controle: reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado run` starts the five together.\n"
-      "\nExample: controle --scene scenes/colisao.animado --out runs/colisao --socket-dir $XDG_RUNTIME_DIR/animado/colisao");
+      "controle: reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado "
+      "run` starts the five together.\n"
+      "\nExample: controle --scene scenes/colisao.animado --out runs/colisao --socket-dir "
+      "$XDG_RUNTIME_DIR/animado/colisao");
   controle::RunOptions options;
   rpc::SocketSuite::Options suite_options;
   int progress_fd = -1;
   app.set_version_flag("--version", ANIMADO_VERSION);
   app.add_option("--scene", options.scene, "the scene's file")->required();
-  app.add_option("--out", options.directory, "directory for the results; it must be there")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--out", options.directory, "directory for the results; it must be there")
+      ->required()
+      ->check(CLI::ExistingDirectory);
   app.add_option("--socket-dir", suite_options.directory, "directory of the run's sockets");
   app.add_option("--progress-fd", progress_fd, "descriptor for a line of progress at each frame");
   try {

@@ -1,12 +1,15 @@
-// Calls to the other modules, with the time spent waiting for each: the summary tells where a run's time
-// went.
+// Calls to the other modules: a line each in controle's log, and the time spent waiting for each module, by
+// which the summary tells where a run's time went.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <map>
 #include <string>
+#include <string_view>
 
-#include "rpc/channel.hpp"
+#include "rpc/log.hpp"
 
 namespace animado::controle {
 
@@ -17,20 +20,36 @@ struct Share {
 
 class Meter {
  public:
-  // Runs `call` and books its time on `module`.
+  // Lines go to `log`, marked with the run's name and a number that counts the calls.
+  Meter(rpc::Log& log, std::string run) : log_(log), run_(std::move(run)) {}
+
+  // Runs `call`, which sends `message` to `module`.
   template <class F>
-  auto timed(const char* module, F&& call) {
+  auto timed(std::string_view module, std::string_view message, F&& call) {
     const auto begin = std::chrono::steady_clock::now();
     auto result = call();
-    Share& share = shares_[module];
-    ++share.messages;
-    share.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    book(module, message, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     return result;
   }
-  const std::map<std::string, Share>& shares() const { return shares_; }
+  const std::map<std::string, Share, std::less<>>& shares() const { return shares_; }
 
  private:
-  std::map<std::string, Share> shares_;
+  void book(std::string_view module, std::string_view message, double seconds) {
+    auto share = shares_.find(module);
+    if (share == shares_.end()) share = shares_.emplace(module, Share{}).first;
+    ++share->second.messages;
+    share->second.seconds += seconds;
+    if (!log_.enabled(rpc::LogLevel::info)) return;
+    line_.clear();
+    fmt::format_to(std::back_inserter(line_), "{}#{} to {}: {} {:.1f} µs", run_, ++calls_, module, message,
+                   seconds * 1e6);
+    log_.write(rpc::LogLevel::info, line_);
+  }
+
+  rpc::Log& log_;
+  std::string run_, line_;
+  int64_t calls_ = 0;
+  std::map<std::string, Share, std::less<>> shares_;
 };
 
 }  // namespace animado::controle

@@ -79,7 +79,8 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   refuse_overlap(scene, suite);
 
   Results results(options.directory, result_bodies(scene));
-  Simulation simulation(scene, suite, options.name, [&](const Event& event) { results.event(event); });
+  rpc::Log log("controle", options.directory / "logs" / "controle.log");
+  Simulation simulation(scene, suite, options.name, log, [&](const Event& event) { results.event(event); });
   LiveNames names(suite, simulation, options.name, [&](const Event& event) { results.event(event); });
   Stepper& stepper = simulation.stepper();
   Summary summary = opening(scene, simulation);

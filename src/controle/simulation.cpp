@@ -11,8 +11,10 @@ std::unique_ptr<SpringContacts> springs(const Scene& scene, colisao::Client& col
 
 }  // namespace
 
-Simulation::Simulation(Scene scene, rpc::Suite& suite, const std::string& name, Stepper::Report report)
+Simulation::Simulation(Scene scene, rpc::Suite& suite, const std::string& name, rpc::Log& log,
+                       Stepper::Report report)
     : scene_(std::move(scene)),
+      meter_(log, name),
       workspace_(suite.arrays(), name),
       inertias_(inertias(scene_)),
       colisao_(suite.channel("colisao")),

@@ -13,12 +13,12 @@ namespace animado::controle {
 
 class Simulation {
  public:
-  // `name` tells this run's shared arrays from another's; events go to `report`.
-  Simulation(Scene scene, rpc::Suite& suite, const std::string& name, Stepper::Report report);
+  // `name` tells this run's shared arrays from another's; calls go to `log`, events to `report`.
+  Simulation(Scene scene, rpc::Suite& suite, const std::string& name, rpc::Log& log, Stepper::Report report);
 
   const Scene& scene() const { return scene_; }
   Stepper& stepper() { return stepper_; }
-  const Meter& meter() const { return meter_; }
+  Meter& meter() { return meter_; }
 
   // Kinetic and potential energy, and what contact springs hold; momenta.
   Balance balance();

@@ -109,7 +109,7 @@ colisao::Sweep::Reply Stepper::sweep(double step_s) {
   request.from = now_.array;
   request.to = next_.array;
   request.step_s = step_s;
-  return meter_.timed("colisao", [&] { return colisao_.sweep(request); });
+  return meter_.timed("colisao", "sweep", [&] { return colisao_.sweep(request); });
 }
 
 // now → next, as if nothing met on the way that does not touch now.
@@ -130,7 +130,7 @@ void Stepper::move(double step_s, bool crowded) {
   request.substeps = static_cast<int64_t>(std::ceil(step_s / kContactSubstep_s * (1 - 1e-12)));
   request.crowded = crowded;
   request.out = next_.array;
-  pending_ = meter_.timed("colisao", [&] { return colisao_.advance(request); });
+  pending_ = meter_.timed("colisao", "advance", [&] { return colisao_.advance(request); });
   correct_work();
 }
 
@@ -168,7 +168,7 @@ std::optional<colisao::ContactRecord> Stepper::nearest_contact(int64_t a, int64_
   colisao::Contacts::Request request;
   request.state = next_.array;
   request.margin_m = 1e-4;
-  const auto reply = meter_.timed("colisao", [&] { return colisao_.contacts(request); });
+  const auto reply = meter_.timed("colisao", "contacts", [&] { return colisao_.contacts(request); });
   std::optional<colisao::ContactRecord> nearest;
   for (const auto& contact : reply.contacts) {
     if (contact.a != a || contact.b != b) continue;
@@ -208,7 +208,7 @@ void Stepper::respond() {
   request.response =
       scene_.world.response == Response::system15 ? colisao::Response::system15 : colisao::Response::impulse;
   request.out = next_.array;
-  const auto reply = meter_.timed("colisao", [&] { return colisao_.respond(request); });
+  const auto reply = meter_.timed("colisao", "respond", [&] { return colisao_.respond(request); });
   if (reply.impacts.empty()) return;
   record(reply.impacts);
   book(reply);
@@ -236,7 +236,7 @@ void Stepper::follow_contacts() {
   colisao::Contacts::Request request;
   request.state = now_.array;
   request.margin_m = kContactMargin_m;
-  const auto reply = meter_.timed("colisao", [&] { return colisao_.contacts(request); });
+  const auto reply = meter_.timed("colisao", "contacts", [&] { return colisao_.contacts(request); });
   std::map<Pair, const colisao::ContactRecord*> found;
   for (const auto& contact : reply.contacts) {
     if (std::abs(contact.approach_m_s) < scene_.world.contact_threshold_m_s)

@@ -26,17 +26,21 @@ TEST_P(Gallery, RunsBothWaysToTheSameBits) {
   // Sub-steps of a heap are of first order: a thousandth of what was lost may be unaccounted for.
   const auto& energy = sockets.summary["energy"];
   const auto amount = [&](const char* key) { return std::abs(energy[key].get<double>()); };
-  const double moved_J = amount("work_in") + amount("dissipated_impacts") + amount("dissipated_friction") + amount("initial");
+  const double moved_J =
+      amount("work_in") + amount("dissipated_impacts") + amount("dissipated_friction") + amount("initial");
   EXPECT_LT(amount("residual"), 1e-3 * moved_J + 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Gallery, testing::ValuesIn(scenes()), [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(, Gallery, testing::ValuesIn(scenes()),
+                         [](const auto& scene) { return scene.param; });
 
-// A crate that a path pushes: it keeps the pusher's speed until that stops, then friction stops it (scenes/kinematic_push.animado says
-// where).
+// A crate that a path pushes: it keeps the pusher's speed until that stops, then friction stops it
+// (scenes/kinematic_push.animado says where).
 TEST(KinematicPush, GivesTheCrateNoMoreThanThePushersSpeed) {
-  const Record record = simulate_file(std::string(ANIMADO_SOURCE_DIR) + "/scenes/kinematic_push.animado", Way::in_process);
-  for (const Row& row : record.of("crate")) EXPECT_LT(row.velocity_m_s.norm(), 0.8 + 1e-3) << "t = " << row.time_s;
+  const Record record =
+      simulate_file(std::string(ANIMADO_SOURCE_DIR) + "/scenes/kinematic_push.animado", Way::in_process);
+  for (const Row& row : record.of("crate"))
+    EXPECT_LT(row.velocity_m_s.norm(), 0.8 + 1e-3) << "t = " << row.time_s;
   EXPECT_NEAR(record.of("crate").back().position_m.x(), 1.9587, 1e-3);
 }
 
