@@ -80,9 +80,10 @@ void Flight::travel(const Moving& from, const Moving& to, double substep_s) {
   set_velocities(body_, now_, state_);
 }
 
-void Flight::shift(const Vec3& displacement_m, const Vec3& rotation_rad) {
+double Flight::shift(const Vec3& displacement_m, const Vec3& rotation_rad) {
   place(now_.center_m + displacement_m, (turn(rotation_rad) * state_.pose.orientation).normalized());
   set_velocities(body_, now_, state_);
+  return body_.mass_kg * acceleration_.dot(displacement_m) + torque_.dot(rotation_rad);
 }
 
 void Flight::place(const Vec3& center_m, const Quat& orientation) {

@@ -35,8 +35,8 @@ class Flight {
   // Goes through a sub-step at whose start the velocities are those of `from` and at whose end those of `to`,
   // which came from ahead.
   void travel(const Moving& from, const Moving& to, double substep_s);
-  // Moves the pose alone.
-  void shift(const Vec3& displacement_m, const Vec3& rotation_rad);
+  // Moves the pose alone. Returns the work that the force and the torque would have done on the way, J.
+  double shift(const Vec3& displacement_m, const Vec3& rotation_rad);
 
   // How much the speed of any point of the body may differ, within a time, from that of its centre now.
   double speed_about_center_m_s(double time_s) const {

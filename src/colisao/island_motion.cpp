@@ -133,7 +133,7 @@ void IslandMotion::push_apart(const std::vector<Moving>& from, const std::vector
   solve_contacts(shifts, constraints, kPushTolerance);
   for (size_t i = 0; i < flights_.size(); ++i) {
     if (shifts[i].velocity_m_s.isZero(0) && shifts[i].spin_rad_s.isZero(0)) continue;
-    flights_[i].shift(shifts[i].velocity_m_s, shifts[i].spin_rad_s);
+    account_.dissipated_impact_J += flights_[i].shift(shifts[i].velocity_m_s, shifts[i].spin_rad_s);
     touched_[i] = true;
   }
 }

@@ -13,7 +13,8 @@
 //   5. bodies that overlap are moved apart; velocities know nothing of it, so that it adds no kinetic energy.
 //
 // Kinetic energy changes by the work of the accelerations and by Σ P·(u₀⁺ + u₁)/2 of the contacts; the latter
-// is booked.
+// is booked. So is what the accelerations would have done to a body that was moved out of an overlap: lifted
+// against gravity, it gains energy that no contact took.
 #pragma once
 
 #include <functional>

@@ -12,8 +12,9 @@ DirectoryWatch::DirectoryWatch(const std::filesystem::path& directory)
     : fd_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
   // Sockets are renamed to their names when they listen (endpoint.cpp).
   if (!fd_ || inotify_add_watch(fd_.get(), directory.c_str(), IN_MOVED_TO) < 0) {
-    throw Error(Code::refused, "the folder of the sockets cannot be watched", directory.string(),
-                "check that it is there, and fs.inotify.max_user_instances");
+    throw Error(Code::unavailable, "the folder of the services' sockets is not there, or cannot be watched",
+                directory.string(),
+                "animado run starts the services; fs.inotify.max_user_instances limits the watches");
   }
 }
 

@@ -82,6 +82,7 @@ Log::Log(std::string_view module, const std::filesystem::path& file, LogLevel le
   }
   logger_->set_formatter(std::make_unique<LineFormatter>());
   logger_->set_level(level_of(level));
+  logger_->flush_on(spdlog::level::warn);  // what went wrong is worth a write at once
 }
 
 bool Log::enabled(LogLevel level) const {
