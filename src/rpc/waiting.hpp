@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace animado::rpc {
@@ -15,10 +16,18 @@ using Clock = std::chrono::steady_clock;
 // peer where both share one: without it, spinning there would hold up the very answer that it waits for.
 inline constexpr std::chrono::microseconds kPollFor{50};
 
-// Tries until it succeeds or kPollFor is over.
+// A caller knows how long the last answer took. If that was no longer than this, it asks for twice as long before it sleeps: a batch of
+// 10,000 systems takes 0.3 ms, and to be woken after it would cost a fifth of that again.
+inline constexpr std::chrono::microseconds kSoon{1000};
+
+inline Clock::duration poll_time(Clock::duration last_answer) {
+  return last_answer > kSoon ? Clock::duration(kPollFor) : std::max(Clock::duration(kPollFor), 2 * last_answer);
+}
+
+// Tries until it succeeds or the time is over.
 template <class Attempt>
-bool poll_briefly(Attempt&& attempt) {
-  const auto end = Clock::now() + kPollFor;
+bool poll_briefly(Attempt&& attempt, Clock::duration time = kPollFor) {
+  const auto end = Clock::now() + time;
   do {
     if (attempt()) return true;
     sched_yield();
