@@ -45,9 +45,12 @@ void Server::stop() noexcept {
 
 void Server::run() {
   while (!stopping_) {
-    if (poll_briefly([this] { return look() || stopping_; })) continue;
-    dispatcher_.log().flush();
-    wait(Clock::duration::max());
+    const auto idle_since = Clock::now();
+    if (!patience_.poll([this] { return look() || stopping_; })) {
+      dispatcher_.log().flush();
+      wait(Clock::duration::max());
+    }
+    patience_.waited(last_arrival_ - idle_since);
   }
   dispatcher_.log().flush();
 }
@@ -106,6 +109,7 @@ bool Server::serve(Peer& peer) {
   if (!peer.connection.flush()) peer.ending = true;
   if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
   const auto received = peer.connection.receive();
+  if (received == Connection::Received::bytes) last_arrival_ = Clock::now();
   if (received == Connection::Received::closed) {
     peer.ending = true;
   } else {

@@ -72,7 +72,8 @@ class Server {
   Peer* last_ = nullptr;  // who spoke last: most likely to speak next
   ConnectionId next_id_ = 1;
   int looks_ = 0;
-  Clock::time_point last_full_look_;
+  Clock::time_point last_full_look_, last_arrival_;
+  Patience patience_;
   std::vector<pollfd> polled_;
 };
 

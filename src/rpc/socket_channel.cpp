@@ -96,7 +96,7 @@ std::string_view SocketChannel::attempt(std::string_view method, std::string_vie
   send(deadline, method);
   const auto sent = Clock::now();
   const std::string_view result = receive_reply(id_, deadline, method);
-  last_answer_ = Clock::now() - sent;
+  patience_.waited(Clock::now() - sent);
   received_ = connection_->take_descriptor();
   return result;
 }
@@ -156,7 +156,7 @@ bool SocketChannel::receive_now() {
 // Waits for bytes; false when none came in time.
 bool SocketChannel::receive(Clock::time_point deadline) {
   const auto attempt = [this] { return receive_now(); };
-  return poll_briefly(attempt, poll_time(last_answer_)) ||
+  return patience_.poll(attempt) ||
          (wait_until(connection_->fd(), POLLIN, deadline) && (receive_now() || Clock::now() < deadline));
 }
 

@@ -63,7 +63,7 @@ class SocketChannel final : public Channel {
   std::deque<std::string> notifications_;
   UniqueFd given_, received_;
   int64_t id_ = 0;
-  Clock::duration last_answer_{};  // how long it took
+  Patience patience_;
 };
 
 class SocketSuite final : public Suite {

@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <sched.h>
 
-#include <algorithm>
 #include <chrono>
 
 namespace animado::rpc {
@@ -16,24 +15,29 @@ using Clock = std::chrono::steady_clock;
 // peer where both share one: without it, spinning there would hold up the very answer that it waits for.
 inline constexpr std::chrono::microseconds kPollFor{50};
 
-// A caller knows how long the last answer took. If that was no longer than this, it asks for twice as long before it sleeps: a batch of
-// 10,000 systems takes 0.3 ms, and to be woken after it would cost a fifth of that again.
-inline constexpr std::chrono::microseconds kSoon{1000};
-
-inline Clock::duration poll_time(Clock::duration last_answer) {
-  return last_answer > kSoon ? Clock::duration(kPollFor) : std::max(Clock::duration(kPollFor), 2 * last_answer);
-}
-
-// Tries until it succeeds or the time is over.
-template <class Attempt>
-bool poll_briefly(Attempt&& attempt, Clock::duration time = kPollFor) {
-  const auto end = Clock::now() + time;
-  do {
+// Who waits remembers how long it waited last. Where that was longer than a poll and a waking, polling only
+// takes time from the peer, and keeps it from the core whose cache holds what both work on: then it sleeps at
+// once. Measured: a step of 10,000 bodies.
+class Patience {
+ public:
+  // Tries until it succeeds or polling does not pay any more; false then.
+  template <class Attempt>
+  bool poll(Attempt&& attempt) const {
     if (attempt()) return true;
-    sched_yield();
-  } while (Clock::now() < end);
-  return false;
-}
+    if (last_wait_ > kSoon) return false;
+    const auto end = Clock::now() + kPollFor;
+    do {
+      sched_yield();
+      if (attempt()) return true;
+    } while (Clock::now() < end);
+    return false;
+  }
+  void waited(Clock::duration time) { last_wait_ = time; }
+
+ private:
+  static constexpr std::chrono::microseconds kSoon{150};
+  Clock::duration last_wait_{};
+};
 
 // Sleeps until the descriptor is ready or the time is over; false then.
 inline bool wait_until(int fd, short events, Clock::time_point deadline) {
