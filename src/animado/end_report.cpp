@@ -24,9 +24,13 @@ std::string energy_text(const Json& energy) {
        {"dissipated_impacts", "lost in impacts"},
        {"dissipated_friction", "lost to friction"},
        {"dissipated_damping", "lost to damping"}}};
+  constexpr double kRounding = 1e-12;  // of the largest energy: what is less came of rounding alone
+  const auto amount = [&](const char* key) { return std::abs(energy.at(key).get<double>()); };
+  double largest_J = std::max(amount("initial"), amount("final"));
+  for (const auto& [key, words] : kFlows) largest_J = std::max(largest_J, amount(key));
   for (const auto& [key, words] : kFlows) {
     const double joules = energy.at(key).get<double>();
-    if (joules != 0) text += fmt::format(", {:.6g} J {}", joules, words);
+    if (std::abs(joules) > kRounding * largest_J) text += fmt::format(", {:.6g} J {}", joules, words);
   }
   return text + fmt::format("; unaccounted for: {:.2g} J", energy.at("residual").get<double>());
 }

@@ -21,6 +21,7 @@ TEST(EndReport, TellsImpactsEnergyAndHash) {
   summary.wall_time_s = 0.25;
   summary.energy.initial_J = 100;
   summary.energy.dissipated_impacts_J = 40;
+  summary.energy.dissipated_friction_J = -3.6e-15;  // rounding is not told
   summary.energy.final_J = 60;
   summary.state_hash = 0xabcdef;
   write_summary(directory / "summary.json", summary);
