@@ -32,7 +32,9 @@ std::string energy_text(const Json& energy) {
     const double joules = energy.at(key).get<double>();
     if (std::abs(joules) > kRounding * largest_J) text += fmt::format(", {:.6g} J {}", joules, words);
   }
-  return text + fmt::format("; unaccounted for: {:.2g} J", energy.at("residual").get<double>());
+  const double residual_J = energy.at("residual").get<double>();
+  return text + fmt::format("; unaccounted for: {:.2g} J",
+                            amount("residual") > kRounding * largest_J ? residual_J : 0.0);
 }
 
 }  // namespace
