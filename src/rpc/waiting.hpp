@@ -15,17 +15,16 @@ using Clock = std::chrono::steady_clock;
 // peer where both share one: without it, spinning there would hold up the very answer that it waits for.
 inline constexpr std::chrono::microseconds kPollFor{50};
 
-// Who waited longer than a poll and a waking take does not poll for a while, but sleeps at once. Where the
-// peer works long, polling only takes time from it, and keeps it from the core whose cache holds what both
-// work on (measured: a step of 10,000 bodies). Where others want the core, to yield it is to lose it for
-// milliseconds, and a sleeper is woken sooner.
+// Where others want the core, to yield it is to lose it for milliseconds, and a sleeper is woken sooner: who polled and waited that long
+// sleeps at once for a while.
 class Patience {
  public:
   // Tries until it succeeds or polling does not pay any more; false then.
   template <class Attempt>
   bool poll(Attempt&& attempt) {
+    polled_ = rest_ == 0;
     if (attempt()) return true;
-    if (rest_ > 0) {
+    if (!polled_) {
       --rest_;
       return false;
     }
@@ -37,13 +36,14 @@ class Patience {
     return false;
   }
   void waited(Clock::duration time) {
-    if (time > kSoon) rest_ = kRest;
+    if (polled_ && time > kSoon) rest_ = kRest;
   }
 
  private:
-  static constexpr std::chrono::microseconds kSoon{150};
+  static constexpr std::chrono::microseconds kSoon{1000};
   static constexpr int kRest = 64;  // waits: a poll that was in vain is then a small part of them
   int rest_ = 0;
+  bool polled_ = false;  // in this wait
 };
 
 // Sleeps until the descriptor is ready or the time is over; false then.
