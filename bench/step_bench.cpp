@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "animado/in_process.hpp"
+#include "animado/one_core.hpp"
 #include "controle/simulation.hpp"
 #include "free_tops.hpp"
 #include "services.hpp"
@@ -24,7 +25,9 @@ void StepInProcess(benchmark::State& state) {
   step(state, *suite);
 }
 
+// As `animado run` starts them.
 void StepSockets(benchmark::State& state) {
+  const OneCore core;
   suite::Services services;
   step(state, services.suite());
 }

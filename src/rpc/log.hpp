@@ -1,6 +1,5 @@
-// A module's log: a line a message, `time level module trace message`. Lines are buffered while there is work
-// and written out before the module waits, so that a line costs less than a microsecond and the log of a
-// crashed run can be read.
+// A module's log: a line a message, `time level module trace message`. Lines are buffered, so that one costs
+// less than a microsecond, and written out a moment later, so that they can be followed.
 #pragma once
 
 #include <filesystem>
@@ -28,6 +27,7 @@ class Log {
   void write(LogLevel level, std::string_view trace_and_text);
   void info(std::string_view text) { write(LogLevel::info, "- " + std::string(text)); }
   void warn(std::string_view text) { write(LogLevel::warning, "- " + std::string(text)); }
+  bool dirty() const { return dirty_; }  // there are lines to flush
   void flush();
 
  private:

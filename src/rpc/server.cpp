@@ -12,6 +12,7 @@ namespace {
 
 // While one peer keeps us busy the others, and those who want to connect, are looked at this often.
 constexpr std::chrono::milliseconds kFullLook{1};
+constexpr std::chrono::milliseconds kLogDelay{50};  // who follows a log does not notice
 constexpr int kLooksAtLast = 8;  // at who spoke last, for one at everybody: it costs as much as some of them
 constexpr size_t kMaxPeers = 256;  // a run has 10; below the usual limit of 1024 open files
 constexpr size_t kMaxUnsent = size_t{1}
@@ -46,13 +47,19 @@ void Server::stop() noexcept {
 void Server::run() {
   while (!stopping_) {
     const auto idle_since = Clock::now();
-    if (!patience_.poll([this] { return look() || stopping_; })) {
-      dispatcher_.log().flush();
-      wait(Clock::duration::max());
-    }
+    if (!patience_.poll([this] { return look() || stopping_; })) sleep();
     patience_.waited(last_arrival_ - idle_since);
   }
   dispatcher_.log().flush();
+}
+
+void Server::sleep() {
+  Log& log = dispatcher_.log();
+  const auto write_out = last_flush_ + kLogDelay;
+  wait(log.dirty() ? std::max(write_out - Clock::now(), Clock::duration::zero()) : Clock::duration::max());
+  if (!log.dirty() || Clock::now() < write_out) return;
+  log.flush();
+  last_flush_ = Clock::now();
 }
 
 bool Server::look() {

@@ -48,6 +48,7 @@ class Server {
   };
   using Peers = std::list<Peer>;
 
+  void sleep();  // until something comes; writes the log out meanwhile
   bool look();  // serves who spoke last, and now and then everybody; true when there was something to do
   bool wait(Clock::duration longest);  // waits for anything, then serves it
   void accept_all();
@@ -72,7 +73,7 @@ class Server {
   Peer* last_ = nullptr;  // who spoke last: most likely to speak next
   ConnectionId next_id_ = 1;
   int looks_ = 0;
-  Clock::time_point last_full_look_, last_arrival_;
+  Clock::time_point last_full_look_, last_arrival_, last_flush_;
   Patience patience_;
   std::vector<pollfd> polled_;
 };

@@ -15,6 +15,13 @@ using Clock = std::chrono::steady_clock;
 // peer where both share one: without it, spinning there would hold up the very answer that it waits for.
 inline constexpr std::chrono::microseconds kPollFor{50};
 
+// On the only core that a process may use, the peer cannot answer before the process sleeps.
+inline bool several_cores() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  return sched_getaffinity(0, sizeof allowed, &allowed) != 0 || CPU_COUNT(&allowed) > 1;
+}
+
 // Where others want the core, to yield it is to lose it for milliseconds, and a sleeper is woken sooner: who polled and waited that long
 // sleeps at once for a while.
 class Patience {
@@ -22,7 +29,7 @@ class Patience {
   // Tries until it succeeds or polling does not pay any more; false then.
   template <class Attempt>
   bool poll(Attempt&& attempt) {
-    polled_ = rest_ == 0;
+    polled_ = several_cores_ && rest_ == 0;
     if (attempt()) return true;
     if (!polled_) {
       --rest_;
@@ -42,6 +49,7 @@ class Patience {
  private:
   static constexpr std::chrono::microseconds kSoon{1000};
   static constexpr int kRest = 64;  // waits: a poll that was in vain is then a small part of them
+  const bool several_cores_ = several_cores();
   int rest_ = 0;
   bool polled_ = false;  // in this wait
 };
