@@ -91,7 +91,7 @@ void EquationsOfMotion::right_sides(const double* state, const double* wrenches,
   }
 }
 
-void EquationsOfMotion::rates(const double* state, const double* accelerations, double* out) const {
+void EquationsOfMotion::complete_rates(const double* state, double* rates) const {
   const size_t n = bodies_;
   const double* const q = state + kQw * n;
   const double* const w = state + kWx * n;
@@ -99,18 +99,17 @@ void EquationsOfMotion::rates(const double* state, const double* accelerations, 
   for (size_t i = 0; i < n; ++i) {
     const double qw = q[i], qx = q[n + i], qy = q[2 * n + i], qz = q[3 * n + i];
     const double wx = w[i], wy = w[n + i], wz = w[2 * n + i];
-    for (size_t k = 0; k < 3; ++k) out[(kPx + k) * n + i] = state[(kVx + k) * n + i];
-    out[kQw * n + i] = -0.5 * (qx * wx + qy * wy + qz * wz);
-    out[kQx * n + i] = 0.5 * (qw * wx + qy * wz - qz * wy);
-    out[kQy * n + i] = 0.5 * (qw * wy + qz * wx - qx * wz);
-    out[kQz * n + i] = 0.5 * (qw * wz + qx * wy - qy * wx);
+    for (size_t k = 0; k < 3; ++k) rates[(kPx + k) * n + i] = state[(kVx + k) * n + i];
+    rates[kQw * n + i] = -0.5 * (qx * wx + qy * wy + qz * wz);
+    rates[kQx * n + i] = 0.5 * (qw * wx + qy * wz - qz * wy);
+    rates[kQy * n + i] = 0.5 * (qw * wy + qz * wx - qx * wz);
+    rates[kQz * n + i] = 0.5 * (qw * wz + qx * wy - qy * wx);
 
     const Rotation R = rotation(qw, qx, qy, qz);
-    const double ax = accelerations[i], ay = accelerations[n + i], az = accelerations[2 * n + i];
-    out[kVx * n + i] = R.xx * ax + R.xy * ay + R.xz * az;
-    out[kVy * n + i] = R.yx * ax + R.yy * ay + R.yz * az;
-    out[kVz * n + i] = R.zx * ax + R.zy * ay + R.zz * az;
-    for (size_t k = 0; k < 3; ++k) out[(kWx + k) * n + i] = accelerations[(3 + k) * n + i];
+    const double ax = rates[kVx * n + i], ay = rates[kVy * n + i], az = rates[kVz * n + i];
+    rates[kVx * n + i] = R.xx * ax + R.xy * ay + R.xz * az;
+    rates[kVy * n + i] = R.yx * ax + R.yy * ay + R.yz * az;
+    rates[kVz * n + i] = R.zx * ax + R.zy * ay + R.zz * az;
   }
 }
 

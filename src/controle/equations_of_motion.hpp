@@ -44,8 +44,9 @@ class EquationsOfMotion {
   // torque about it, world.
   void right_sides(const double* state, const double* wrenches, double* out) const;
 
-  // The state's rate of change (13, N), given accelerations (6, N): a and ẇ, body axes.
-  void rates(const double* state, const double* accelerations, double* out) const;
+  // Completes the state's rate of change (13, N), whose last six rows hold a and ẇ in body axes: a is turned
+  // to the world's.
+  void complete_rates(const double* state, double* rates) const;
 
  private:
   size_t bodies_;

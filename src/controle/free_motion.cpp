@@ -42,14 +42,12 @@ FreeMotion::FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, co
   const Lanes matrices = workspace.make("matrices", {6, 6, n});
   equations_.matrices(matrices.values);
   right_sides_ = workspace.make("right_sides", {6, n});
-  accelerations_ = workspace.make("accelerations", {6, n});
   rates_ = workspace.make("rates", {tableau.stages, kStateRows, n});
   stage_state_ = make_state("stage");
 
   solve_.matrices = matrices.array;
   solve_.right_sides = right_sides_.array;
   solve_.layout = egesp::Layout::lanes;
-  solve_.out = accelerations_.array;
   stage_.method = method;
   stage_.derivatives = rates_.array;
 }
@@ -58,10 +56,9 @@ Lanes FreeMotion::make_state(const std::string& name) {
   return workspace_.make(name, {kStateRows, static_cast<int64_t>(bodies_)});
 }
 
-rpc::Array FreeMotion::start_accelerations() const {
-  // Rows v' and w' of the first stage lie one after the other.
+rpc::Array FreeMotion::accelerations(size_t stage) const {
   const auto n = static_cast<int64_t>(bodies_);
-  return rpc::Array::named(rates_.array.shared, {6, n}, kVx * n);
+  return rpc::Array::named(rates_.array.shared, {6, n}, static_cast<int64_t>(stage * kStateRows + kVx) * n);
 }
 
 void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
@@ -69,8 +66,9 @@ void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
   forces_.evaluate({state.values, bodies_, time_s}, wrenches_.data(), powers_[stage].data());
   if (contact_forces_) contact_powers_W_[stage] = contact_forces_->add(state, wrenches_.data());
   equations_.right_sides(state.values, wrenches_.data(), right_sides_.values);
+  solve_.out = accelerations(stage);  // in body axes as yet
   meter_.timed("egesp", "solve", [&] { return egesp_.call<egesp::Solve>(solve_); });
-  equations_.rates(state.values, accelerations_.values, rates_.values + stage * kStateRows * bodies_);
+  equations_.complete_rates(state.values, rates_.values + stage * kStateRows * bodies_);
 }
 
 void FreeMotion::step(const Lanes& from, double time_s, double step_s, const Lanes& to) {

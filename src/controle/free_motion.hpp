@@ -49,10 +49,11 @@ class FreeMotion {
   double contact_work_J() const;
 
   // Of the last step's start, (6, N): acceleration of the frame's origin (world) and angular (body axes).
-  rpc::Array start_accelerations() const;
+  rpc::Array start_accelerations() const { return accelerations(0); }
   int order() const { return order_; }  // of convergence of the method
 
  private:
+  rpc::Array accelerations(size_t stage) const;  // (6, N): rows v' and w' of a stage's rates
   void rates(const Lanes& state, double time_s, size_t stage);
   void normalize(double* state) const;
 
@@ -68,7 +69,7 @@ class FreeMotion {
   const Forces& forces_;
   const Kinematics& kinematics_;
   ContactForces* contact_forces_;
-  Lanes right_sides_, accelerations_, rates_, stage_state_;
+  Lanes right_sides_, rates_, stage_state_;
   std::vector<double> wrenches_;
   std::vector<std::vector<Power>> powers_;  // of each stage of the last step
   std::vector<double> contact_powers_W_;

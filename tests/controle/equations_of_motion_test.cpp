@@ -32,7 +32,8 @@ std::array<double, kStateRows> rates(const Hammer& hammer, const Vec3& force, co
   wrench << force, torque;
   equations.right_sides(state.data(), wrench.data(), right_side.data());
   const Eigen::Matrix<double, 6, 1> accelerations = matrix.partialPivLu().solve(right_side);
-  equations.rates(state.data(), accelerations.data(), out.data());
+  std::ranges::copy(accelerations, out.begin() + kVx);
+  equations.complete_rates(state.data(), out.data());
   return out;
 }
 
