@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include "animado/in_process.hpp"
-#include "animado/one_core.hpp"
 #include "controle/simulation.hpp"
 #include "free_tops.hpp"
+#include "rpc/one_core.hpp"
 #include "services.hpp"
 
 namespace animado::bench {
@@ -27,7 +27,7 @@ void StepInProcess(benchmark::State& state) {
 
 // As `animado run` starts them.
 void StepSockets(benchmark::State& state) {
-  const OneCore core;
+  const rpc::OneCore core;
   suite::Services services;
   step(state, services.suite());
 }

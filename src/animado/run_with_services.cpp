@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "animado/line_reader.hpp"
-#include "animado/one_core.hpp"
 #include "animado/restarts.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/running_suite.hpp"
@@ -15,6 +14,7 @@
 #include "animado/terminal.hpp"
 #include "base/error.hpp"
 #include "rpc/common.hpp"
+#include "rpc/one_core.hpp"
 
 namespace animado {
 
@@ -52,7 +52,7 @@ class FiveProcesses {
   ExitCode controle_ended(int status) const;
 
   const RunRequest& request_;
-  const OneCore core_;  // before anything is started
+  const rpc::OneCore core_;  // before anything is started
   const fs::path logs_;
   SocketDirectory sockets_;
   rpc::SocketSuite probe_;

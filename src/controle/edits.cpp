@@ -12,13 +12,6 @@ std::string text_of(const SceneScope& scope, const std::string& name) {
   return std::get<interexpserv::Definition>(*symbol).text;
 }
 
-std::string sum_of(const std::vector<Expression>& expressions) {
-  std::string text;
-  for (const Expression& expression : expressions)
-    text += (text.empty() ? "(" : " + (") + expression.text + ")";
-  return text.empty() ? "(0, 0, 0)" : text;
-}
-
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> definitions_of(const Scene& scene) {
@@ -33,7 +26,7 @@ std::vector<std::pair<std::string, std::string>> definitions_of(const Scene& sce
     }
     const std::string force = body.folded_name + ".force";
     definitions.emplace_back(force, text_of(scope, force));
-    definitions.emplace_back(body.folded_name + ".torque", sum_of(body.torques));
+    definitions.emplace_back(body.folded_name + ".torque", vector_sum(body.torques));
   }
   for (const Definition& name : scene.names) definitions.emplace_back(name.name, name.value.text);
   return definitions;

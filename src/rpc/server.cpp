@@ -46,9 +46,7 @@ void Server::stop() noexcept {
 
 void Server::run() {
   while (!stopping_) {
-    const auto idle_since = Clock::now();
     if (!patience_.poll([this] { return look() || stopping_; })) sleep();
-    patience_.waited(last_arrival_ - idle_since);
   }
   dispatcher_.log().flush();
 }
@@ -87,6 +85,7 @@ bool Server::wait(Clock::duration longest) {
     polled_.push_back({peer.connection.fd(), events, 0});
   }
   const int ready = ::poll(polled_.data(), polled_.size(), timeout_ms);
+  if (timeout_ms != 0) patience_.slept();
   if (companion_ && (polled_[2].revents != 0 || Clock::now() >= companion_->next_time())) companion_->step();
   size_t at = 3;
   for (auto peer = peers_.begin(); ready > 0 && at < polled_.size(); ++peer, ++at) {
@@ -116,7 +115,6 @@ bool Server::serve(Peer& peer) {
   if (!peer.connection.flush()) peer.ending = true;
   if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
   const auto received = peer.connection.receive();
-  if (received == Connection::Received::bytes) last_arrival_ = Clock::now();
   if (received == Connection::Received::closed) {
     peer.ending = true;
   } else {

@@ -73,7 +73,7 @@ class Server {
   Peer* last_ = nullptr;  // who spoke last: most likely to speak next
   ConnectionId next_id_ = 1;
   int looks_ = 0;
-  Clock::time_point last_full_look_, last_arrival_, last_flush_;
+  Clock::time_point last_full_look_, last_flush_;
   Patience patience_;
   std::vector<pollfd> polled_;
 };

@@ -94,9 +94,7 @@ std::string_view SocketChannel::attempt(std::string_view method, std::string_vie
   out.raw(params);
   if (given >= 0) connection_->attach(given);
   send(deadline, method);
-  const auto sent = Clock::now();
   const std::string_view result = receive_reply(id_, deadline, method);
-  patience_.waited(Clock::now() - sent);
   received_ = connection_->take_descriptor();
   return result;
 }
@@ -155,9 +153,10 @@ bool SocketChannel::receive_now() {
 
 // Waits for bytes; false when none came in time.
 bool SocketChannel::receive(Clock::time_point deadline) {
-  const auto attempt = [this] { return receive_now(); };
-  return patience_.poll(attempt) ||
-         (wait_until(connection_->fd(), POLLIN, deadline) && (receive_now() || Clock::now() < deadline));
+  if (patience_.poll([this] { return receive_now(); })) return true;
+  const bool readable = wait_until(connection_->fd(), POLLIN, deadline);
+  patience_.slept();
+  return readable && (receive_now() || Clock::now() < deadline);
 }
 
 // Takes the next message that is there. A peer that sends something else loses the connection.

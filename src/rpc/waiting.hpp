@@ -22,36 +22,47 @@ inline bool several_cores() {
   return sched_getaffinity(0, sizeof allowed, &allowed) != 0 || CPU_COUNT(&allowed) > 1;
 }
 
-// Where others want the core, to yield it is to lose it for milliseconds, and a sleeper is woken sooner: who polled and waited that long
-// sleeps at once for a while.
+// Where others want the core, to yield it is to lose it for milliseconds, and a sleeper is woken sooner: who
+// polled and waited that long sleeps at once for a while.
 class Patience {
  public:
-  // Tries until it succeeds or polling does not pay any more; false then.
+  // Tries until it succeeds or polling does not pay any more; false then: sleep, and say so.
   template <class Attempt>
   bool poll(Attempt&& attempt) {
-    polled_ = several_cores_ && rest_ == 0;
+    polled_ = false;
     if (attempt()) return true;
-    if (!polled_) {
-      --rest_;
+    if (!several_cores_ || rest_ > 0) {
+      if (rest_ > 0) --rest_;
       return false;
     }
-    const auto end = Clock::now() + kPollFor;
-    do {
+    polled_ = true;
+    begin_ = Clock::now();
+    for (auto now = begin_; now - begin_ < kPollFor;) {
       sched_yield();
-      if (attempt()) return true;
-    } while (Clock::now() < end);
+      now = Clock::now();
+      if (attempt()) {
+        waited_until(now);
+        return true;
+      }
+    }
     return false;
   }
-  void waited(Clock::duration time) {
-    if (polled_ && time > kSoon) rest_ = kRest;
+  void slept() {
+    if (polled_) waited_until(Clock::now());
   }
 
  private:
   static constexpr std::chrono::microseconds kSoon{1000};
   static constexpr int kRest = 64;  // waits: a poll that was in vain is then a small part of them
+
+  void waited_until(Clock::time_point now) {
+    if (now - begin_ > kSoon) rest_ = kRest;
+  }
+
   const bool several_cores_ = several_cores();
   int rest_ = 0;
   bool polled_ = false;  // in this wait
+  Clock::time_point begin_;
 };
 
 // Sleeps until the descriptor is ready or the time is over; false then.

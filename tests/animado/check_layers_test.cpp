@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/temporary_directory.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,20 +18,13 @@ using Row = std::array<std::string, 3>;  // file, what it includes, why that is 
 
 class CheckLayers : public testing::TestWithParam<Row> {
  protected:
-  void SetUp() override {
-    std::string pattern = fs::temp_directory_path() / "animado-layers-XXXXXX";
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    root_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(root_); }
-
   // The script's exit code for a tree with one file that has one #include.
   int check(const std::string& file, const std::string& include) {
     const fs::path path = root_ / "src" / file;
     fs::create_directories(path.parent_path());
     std::ofstream(path) << "#include " << include << "\n";
-    const std::string command = std::string(ANIMADO_SOURCE_DIR "/scripts/check-layers ") + root_.string() +
-                                " > " + (root_ / "said").string();
+    const std::string command = std::string(ANIMADO_SOURCE_DIR "/scripts/check-layers ") +
+                                root_.path().string() + " > " + (root_ / "said").string();
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -38,7 +33,7 @@ class CheckLayers : public testing::TestWithParam<Row> {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  fs::path root_;
+  animado::TemporaryDirectory root_;
 };
 
 using Offence = CheckLayers;
@@ -81,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Arrow,
 TEST_F(CheckLayers, RefusesATreeWithoutSources) {
   fs::create_directories(root_ / "src");
   const std::string command =
-      std::string(ANIMADO_SOURCE_DIR "/scripts/check-layers ") + root_.string() + " > /dev/null";
+      std::string(ANIMADO_SOURCE_DIR "/scripts/check-layers ") + root_.path().string() + " > /dev/null";
   EXPECT_NE(std::system(command.c_str()), 0);
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "controle/results/summary_json.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado {
 namespace {

@@ -6,7 +6,7 @@
 #include <signal.h>
 
 #include "base/error.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado {
 namespace {

@@ -1,4 +1,5 @@
 #include "laboratory.hpp"
+#include "tests/temporary_directory.hpp"
 
 #include <unistd.h>
 
@@ -10,21 +11,6 @@ namespace animado::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A directory of its own for one run, removed at the end.
-class Bench {
- public:
-  Bench() {
-    std::string name = (fs::temp_directory_path() / "animado-experiment-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
-    path_ = name;
-  }
-  ~Bench() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 Row parse_row(const std::string& line) {
   std::istringstream in(line);
@@ -76,7 +62,7 @@ std::vector<nlohmann::json> Record::impacts() const {
 }
 
 Record simulate_file(const std::string& path, Way way) {
-  const Bench bench;
+  const TemporaryDirectory bench;
   const fs::path out = bench.path() / "results", log = bench.path() / "messages";
   const std::string command = std::string(ANIMADO_BIN_DIR) + "/animado run '" + path + "' --out '" +
                               out.string() + "' --quiet" + (way == Way::in_process ? " --in-process" : "") +
@@ -93,7 +79,7 @@ Record simulate_file(const std::string& path, Way way) {
 }
 
 Record simulate(const std::string& scene, Way way) {
-  const Bench bench;
+  const TemporaryDirectory bench;
   const fs::path file = bench.path() / "experiment.animado";
   std::ofstream(file) << scene;
   return simulate_file(file.string(), way);

@@ -10,20 +10,14 @@
 #include <string>
 
 #include "rpc/socket_suite.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::interexpserv {
 
 class Daemon {
  public:
-  Daemon() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "animado-names-XXXXXX").string();
-    directory_ = mkdtemp(pattern.data());
-    start();
-  }
-  ~Daemon() {
-    end(SIGTERM);
-    std::filesystem::remove_all(directory_);
-  }
+  Daemon() { start(); }
+  ~Daemon() { end(SIGTERM); }
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
 
@@ -34,7 +28,7 @@ class Daemon {
 
   void start() {
     const std::string program = ANIMADO_BIN_DIR "/interexpserv", store = directory_ / "names.sqlite";
-    const char* arguments[] = {program.c_str(), "--socket-dir", directory_.c_str(),
+    const char* arguments[] = {program.c_str(), "--socket-dir", directory_.path().c_str(),
                                "--store",       store.c_str(),  nullptr};
     ASSERT_EQ(posix_spawn(&pid_, program.c_str(), nullptr, nullptr, const_cast<char**>(arguments), environ),
               0);
@@ -46,7 +40,7 @@ class Daemon {
   }
 
  private:
-  std::filesystem::path directory_;
+  TemporaryDirectory directory_;
   pid_t pid_ = 0;
 };
 

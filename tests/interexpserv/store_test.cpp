@@ -1,5 +1,6 @@
 // src/interexpserv/store.cpp: what was acknowledged is there after a crash.
 #include "interexpserv/store.hpp"
+#include "tests/temporary_directory.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -13,15 +14,10 @@ namespace {
 
 class StoreTest : public testing::Test {
  protected:
-  StoreTest() {
-    std::string pattern = testing::TempDir() + "animado-store-XXXXXX";
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~StoreTest() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path file() const { return folder_ / "names.sqlite"; }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryDirectory folder_;
 };
 
 Names stored_names(Store& store) {

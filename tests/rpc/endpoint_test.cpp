@@ -86,7 +86,7 @@ void as_other_user_listens(const fs::path& socket, F look) {
 
 TEST_F(EndpointTest, AnotherUsersServerIsNotSpokenTo) {
   if (getuid() != 0) GTEST_SKIP() << "needs root to become another user";
-  fs::permissions(directory_, fs::perms::all);
+  fs::permissions(directory_.path(), fs::perms::all);
   const fs::path socket = directory_ / "stranger.sock";
   as_other_user_listens(socket,
                         [&] { EXPECT_EQ(error_of([&] { connect_to(socket); }).code(), Code::refused); });
@@ -95,7 +95,7 @@ TEST_F(EndpointTest, AnotherUsersServerIsNotSpokenTo) {
 TEST_F(EndpointTest, AnotherUsersClientIsTurnedAway) {
   if (getuid() != 0) GTEST_SKIP() << "needs root to become another user";
   Served parrot(directory_, "parrot", fill_parrot);
-  fs::permissions(directory_, fs::perms::all);
+  fs::permissions(directory_.path(), fs::perms::all);
   fs::permissions(parrot.socket(), fs::perms::all);
   const pid_t child = fork();
   if (child == 0) {

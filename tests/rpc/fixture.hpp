@@ -15,6 +15,7 @@
 #include "rpc/registration.hpp"
 #include "rpc/server.hpp"
 #include "rpc/socket_suite.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::rpc::testing {
 
@@ -239,17 +240,11 @@ class Served {
 
 class SocketTest : public ::testing::Test {
  protected:
-  SocketTest() {
-    std::string pattern = (fs::temp_directory_path() / "animado-test-XXXXXX").string();
-    directory_ = mkdtemp(pattern.data());
-  }
-  ~SocketTest() override { fs::remove_all(directory_); }
-
   SocketSuite::Options options() const {
-    return {.directory = directory_, .client = "test", .trace = "7f3a"};
+    return {.directory = directory_.path(), .client = "test", .trace = "7f3a"};
   }
 
-  fs::path directory_;
+  TemporaryDirectory directory_;
 };
 
 // The code of the Error that `action` throws; fails the test when it throws none.

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "../animado/temporary_directory.hpp"
 #include "animado/child.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::suite {
 

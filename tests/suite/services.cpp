@@ -1,9 +1,5 @@
 #include "services.hpp"
 
-#include <stdlib.h>
-
-#include <stdexcept>
-
 #include "rpc/common.hpp"
 
 namespace animado::suite {
@@ -11,11 +7,8 @@ namespace animado::suite {
 namespace fs = std::filesystem;
 
 Services::Services() {
-  std::string name = (fs::temp_directory_path() / "animado-services-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
-  directory_ = name;
   suite_ = std::make_unique<rpc::SocketSuite>(
-      rpc::SocketSuite::Options{.directory = directory_, .client = "test", .trace = "test"});
+      rpc::SocketSuite::Options{.directory = directory(), .client = "test", .trace = "test"});
   for (const char* service : {"interexpserv", "egesp", "fred", "colisao"}) {
     start(service);
     suite_->channel(service).call<rpc::Ping>({});  // waits until it is registered
@@ -25,13 +18,13 @@ Services::Services() {
 Services::~Services() {
   suite_.reset();
   processes_.clear();
-  fs::remove_all(directory_);
 }
 
 void Services::start(const std::string& service) {
   const std::string program = std::string(ANIMADO_BIN_DIR) + "/" + service;
-  processes_.emplace(service, Child({program, "--socket-dir", directory_, "--log", directory_ / (service + ".log")},
-                                    directory_ / (service + ".output")));
+  processes_.emplace(service,
+                     Child({program, "--socket-dir", directory(), "--log", directory_ / (service + ".log")},
+                           directory_ / (service + ".output")));
 }
 
 fs::path Services::socket(const std::string& service) {

@@ -1,5 +1,5 @@
-// The four services as real processes in a directory of their own, ended with this object. Used by the tests of the suite and by the
-// benchmarks.
+// The four services as real processes in a directory of their own, ended with this object. Used by the tests
+// of the suite and by the benchmarks.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 
 #include "animado/child.hpp"
 #include "rpc/socket_suite.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::suite {
 
@@ -19,7 +20,7 @@ class Services {
   Services& operator=(const Services&) = delete;
 
   rpc::SocketSuite& suite() { return *suite_; }
-  const std::filesystem::path& directory() const { return directory_; }
+  const std::filesystem::path& directory() const { return directory_.path(); }
   std::filesystem::path socket(const std::string& service);
   pid_t pid(const std::string& service) const { return processes_.at(service).pid(); }
   bool is_running(const std::string& service) const { return !processes_.at(service).wait(0); }
@@ -27,7 +28,7 @@ class Services {
  private:
   void start(const std::string& service);
 
-  std::filesystem::path directory_;
+  TemporaryDirectory directory_;
   std::map<std::string, Child> processes_;
   std::unique_ptr<rpc::SocketSuite> suite_;
 };

@@ -18,14 +18,6 @@ std::vector<std::string> names_of(const std::vector<Body>& bodies) {
   return names;
 }
 
-// "(a) + (b)", or the zero vector.
-std::string sum_of(const std::vector<Expression>& expressions) {
-  std::string text;
-  for (const Expression& expression : expressions)
-    text += (text.empty() ? "(" : " + (") + expression.text + ")";
-  return text.empty() ? "(0, 0, 0)" : text;
-}
-
 // v turned by the body's quaternion (w, q): v + 2 q × (q × v + w v).
 constexpr std::string_view kTurned =
     "local_force + 2 * cross((orientation.qx, orientation.qy, orientation.qz), "
@@ -39,6 +31,13 @@ constexpr std::string_view kTurned =
 }
 
 }  // namespace
+
+std::string vector_sum(const std::vector<Expression>& expressions) {
+  std::string text;
+  for (const Expression& expression : expressions)
+    text += (text.empty() ? "(" : " + (") + expression.text + ")";
+  return text.empty() ? "(0, 0, 0)" : text;
+}
 
 SceneScope::SceneScope(const Scene& scene) : scene_(scene), names_(names_of(scene.bodies)) {}
 
@@ -67,13 +66,13 @@ std::optional<Symbol> SceneScope::find(std::string_view folded_name) const {
 }
 
 interexpserv::Definition SceneScope::force_of(const Body& body) const {
-  std::string text = sum_of(body.forces);
+  std::string text = vector_sum(body.forces);
   if (!body.local_forces.empty()) text += " + " + std::string(kTurned);
   return {body.folded_name + ".force", std::move(text), body.folded_name};
 }
 
 interexpserv::Definition SceneScope::local_force_of(const Body& body) const {
-  return {body.folded_name + ".local_force", sum_of(body.local_forces), body.folded_name};
+  return {body.folded_name + ".local_force", vector_sum(body.local_forces), body.folded_name};
 }
 
 std::vector<std::string> SceneScope::known_names() const {

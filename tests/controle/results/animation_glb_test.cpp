@@ -11,7 +11,7 @@
 
 #include "base/euler.hpp"
 #include "base/state.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -170,7 +170,7 @@ TEST(AnimationGlb, NoFramesMeanNoAnimation) {
 }
 
 TEST(AnimationGlb, TheSameMotionGivesTheSameBytes) {
-  EXPECT_EQ(read_all(ScriptedMotion(0.3).file()), read_all(ScriptedMotion(0.3).file()));
+  EXPECT_EQ(text_of(ScriptedMotion(0.3).file()), text_of(ScriptedMotion(0.3).file()));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -69,7 +69,7 @@ TEST(EventsJsonl, ALineAnEvent) {
   events.write(impact());
   events.close();
   const std::string line = event_line(impact()) + "\n";
-  EXPECT_EQ(read_all(directory.path() / "events.jsonl"), line + line);
+  EXPECT_EQ(text_of(directory.path() / "events.jsonl"), line + line);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -17,25 +17,25 @@ TEST(OutputFile, HoldsWhatWasWritten) {
   file.write(large);
   file.write(large);
   file.close();
-  EXPECT_EQ(read_all(directory.path() / "f"), "head\n" + large + large);
+  EXPECT_EQ(text_of(directory.path() / "f"), "head\n" + large + large);
 }
 
 TEST(OutputFile, AFlushIsSeenByOthers) {
   const TemporaryDirectory directory;
   OutputFile file(directory.path() / "f");
   file.write("a line\n");
-  EXPECT_EQ(read_all(directory.path() / "f"), "");
+  EXPECT_EQ(text_of(directory.path() / "f"), "");
   file.flush();
-  EXPECT_EQ(read_all(directory.path() / "f"), "a line\n");
+  EXPECT_EQ(text_of(directory.path() / "f"), "a line\n");
 }
 
 TEST(OutputFile, EmptiesWhatWasThere) {
   const TemporaryDirectory directory;
-  write_all(directory.path() / "f", "a long old text");
+  write_text(directory.path() / "f", "a long old text");
   OutputFile file(directory.path() / "f");
   file.write("new");
   file.close();
-  EXPECT_EQ(read_all(directory.path() / "f"), "new");
+  EXPECT_EQ(text_of(directory.path() / "f"), "new");
 }
 
 TEST(OutputFile, AFullDiskIsAnErrorWithARemedy) {

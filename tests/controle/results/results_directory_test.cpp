@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -24,8 +24,8 @@ std::vector<std::string> names_in(const fs::path& directory) {
 }
 
 void write_results(const ResultsDirectory& results, const std::string& content) {
-  write_all(results.path() / "states.csv", content);
-  write_all(results.path() / "summary.json", "{}");
+  write_text(results.path() / "states.csv", content);
+  write_text(results.path() / "summary.json", "{}");
 }
 
 // The pid of a process that is no more, and which has left what a crash leaves.
@@ -33,7 +33,7 @@ pid_t crash_with_results_at(const fs::path& final_path) {
   const pid_t child = ::fork();
   if (child == 0) {
     const ResultsDirectory results(final_path);
-    write_all(results.logs() / "fred.log", "the last words\n");
+    write_text(results.logs() / "fred.log", "the last words\n");
     ::_exit(0);
   }
   ::waitpid(child, nullptr, 0);
@@ -46,7 +46,7 @@ TEST(ResultsDirectory, IsNotThereBeforeTheCommit) {
   write_results(results, "whole");
   EXPECT_FALSE(fs::exists(results.final_path()));
   results.commit();
-  EXPECT_EQ(read_all(directory.path() / "runs/top/states.csv"), "whole");
+  EXPECT_EQ(text_of(directory.path() / "runs/top/states.csv"), "whole");
   EXPECT_THAT(names_in(directory.path() / "runs"), ElementsAre("top"));
 }
 
@@ -58,7 +58,7 @@ TEST(ResultsDirectory, OpenLogsMoveWithIt) {
   log << "before" << std::flush;
   results.commit();
   log << " and after" << std::flush;
-  EXPECT_EQ(read_all(directory.path() / "top/logs/egesp.log"), "before and after");
+  EXPECT_EQ(text_of(directory.path() / "top/logs/egesp.log"), "before and after");
 }
 
 TEST(ResultsDirectory, ReplacesOlderResultsWhole) {
@@ -66,10 +66,10 @@ TEST(ResultsDirectory, ReplacesOlderResultsWhole) {
   for (const std::string content : {"old", "new"}) {
     ResultsDirectory results(directory.path() / "top");
     write_results(results, content);
-    if (content == "old") write_all(results.path() / "only-old", "");
+    if (content == "old") write_text(results.path() / "only-old", "");
     results.commit();
   }
-  EXPECT_EQ(read_all(directory.path() / "top/states.csv"), "new");
+  EXPECT_EQ(text_of(directory.path() / "top/states.csv"), "new");
   EXPECT_THAT(names_in(directory.path() / "top"), UnorderedElementsAre("states.csv", "summary.json", "logs"));
   EXPECT_THAT(names_in(directory.path()), ElementsAre("top"));
 }
@@ -80,9 +80,9 @@ TEST(ResultsDirectory, ACrashLeavesOldResultsAndReadableLogs) {
   write_results(old, "old");
   old.commit();
   const pid_t dead = crash_with_results_at(directory.path() / "top");
-  EXPECT_EQ(read_all(directory.path() / "top/states.csv"), "old");
+  EXPECT_EQ(text_of(directory.path() / "top/states.csv"), "old");
   const fs::path partial = directory.path() / (".top.partial-" + std::to_string(dead));
-  EXPECT_EQ(read_all(partial / "logs/fred.log"), "the last words\n");
+  EXPECT_EQ(text_of(partial / "logs/fred.log"), "the last words\n");
 }
 
 TEST(ResultsDirectory, TheNextRunClearsUpAfterTheDeadAlone) {
@@ -105,7 +105,7 @@ TEST(ResultsDirectory, NeverReplacesWhatIsNotResults) {
   const fs::path home = directory.path() / "home";
   fs::create_directory(home);
   EXPECT_NO_THROW(ResultsDirectory{home});  // empty: nothing to lose
-  write_all(home / "thesis.tex", "years of work");
+  write_text(home / "thesis.tex", "years of work");
   try {
     const ResultsDirectory results(home);
     FAIL() << "nothing was thrown";
@@ -113,7 +113,7 @@ TEST(ResultsDirectory, NeverReplacesWhatIsNotResults) {
     EXPECT_EQ(error.code(), Code::refused);
     EXPECT_EQ(error.where(), home.string());
   }
-  write_all(directory.path() / "file", "");
+  write_text(directory.path() / "file", "");
   EXPECT_THROW(ResultsDirectory{directory.path() / "file"}, Error);
 }
 
@@ -122,7 +122,7 @@ TEST(ResultsDirectory, LooksAgainBeforeItReplaces) {
   ResultsDirectory results(directory.path() / "top");
   write_results(results, "");
   fs::create_directory(directory.path() / "top");
-  write_all(directory.path() / "top/thesis.tex", "written while the run went");
+  write_text(directory.path() / "top/thesis.tex", "written while the run went");
   EXPECT_THROW(results.commit(), Error);
   EXPECT_TRUE(fs::exists(directory.path() / "top/thesis.tex"));
 }
@@ -141,12 +141,12 @@ TEST(ResultsDirectory, ALinkKeepsPointingToTheResults) {
   write_results(results, "whole");
   results.commit();
   EXPECT_TRUE(fs::is_symlink(directory.path() / "link"));
-  EXPECT_EQ(read_all(directory.path() / "disk/states.csv"), "whole");
+  EXPECT_EQ(text_of(directory.path() / "disk/states.csv"), "whole");
 }
 
 TEST(ResultsDirectory, APlaceThatCannotBeWrittenIsAnError) {
   const TemporaryDirectory directory;
-  write_all(directory.path() / "file", "");
+  write_text(directory.path() / "file", "");
   try {
     const ResultsDirectory results(directory.path() / "file" / "top");
     FAIL() << "nothing was thrown";

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/state.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -30,12 +30,12 @@ TEST(Results, WritesTheFilesOfTheContract) {
   results.frame(0.3, state_at_rest());
   results.finish({.scene = "colisao.animado", .bodies = 2});
 
-  const std::string states = read_all(directory.path() / "states.csv");
+  const std::string states = text_of(directory.path() / "states.csv");
   EXPECT_EQ(std::count(states.begin(), states.end(), '\n'), 5);
   EXPECT_NE(states.find("\n1,0.29999999999999999,cubo,"), std::string::npos);
-  EXPECT_EQ(nlohmann::json::parse(read_all(directory.path() / "events.jsonl"))["time_s"], 0.1);
-  EXPECT_TRUE(read_all(directory.path() / "animation.glb").starts_with("glTF"));
-  const auto summary = nlohmann::json::parse(read_all(directory.path() / "summary.json"));
+  EXPECT_EQ(nlohmann::json::parse(text_of(directory.path() / "events.jsonl"))["time_s"], 0.1);
+  EXPECT_TRUE(text_of(directory.path() / "animation.glb").starts_with("glTF"));
+  const auto summary = nlohmann::json::parse(text_of(directory.path() / "summary.json"));
   EXPECT_EQ(summary["frames"], 2);
   EXPECT_EQ(summary["status"], "done");
 }
@@ -45,7 +45,7 @@ TEST(Results, EventsAreReadableWhileTheRunGoes) {
   Results results(directory.path(), kBodies);
   results.event({.time_s = 0.1, .kind = EventKind::impact});
   results.frame(0.3, state_at_rest());
-  EXPECT_NE(read_all(directory.path() / "events.jsonl").find("impact"), std::string::npos);
+  EXPECT_NE(text_of(directory.path() / "events.jsonl").find("impact"), std::string::npos);
 }
 
 TEST(Results, AMissingDirectoryIsAnError) {

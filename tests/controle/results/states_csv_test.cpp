@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "base/state.hpp"
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -41,7 +41,7 @@ std::vector<Row> table_of(const std::vector<StatesCsv::Body>& bodies, const std:
   StatesCsv csv(directory.path() / "states.csv", bodies);
   csv.frame(0, 0.5, state_of(states));
   csv.close();
-  return rows_of(read_all(directory.path() / "states.csv"));
+  return rows_of(text_of(directory.path() / "states.csv"));
 }
 
 BodyState awkward_body() {
@@ -57,7 +57,7 @@ TEST(StatesCsv, HeaderIsTheContract) {
   const TemporaryDirectory directory;
   StatesCsv csv(directory.path() / "states.csv", {});
   csv.close();
-  EXPECT_EQ(read_all(directory.path() / "states.csv"),
+  EXPECT_EQ(text_of(directory.path() / "states.csv"),
             "frame,time_s,body,px_m,py_m,pz_m,qw,qx,qy,qz,ex_rad,ey_rad,ez_rad,"
             "vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s\n");
 }
@@ -68,7 +68,7 @@ TEST(StatesCsv, ARowABodyAFrame) {
   const std::vector<double> state = state_of({BodyState{}, BodyState{}});
   for (int frame = 0; frame < 12; ++frame) csv.frame(frame, 0.3 * frame, state);
   csv.close();
-  const std::vector<Row> rows = rows_of(read_all(directory.path() / "states.csv"));
+  const std::vector<Row> rows = rows_of(text_of(directory.path() / "states.csv"));
   ASSERT_EQ(rows.size(), 25u);
   for (const Row& row : rows) EXPECT_EQ(row.size(), 19u);
   EXPECT_EQ(rows[6][0], "2");

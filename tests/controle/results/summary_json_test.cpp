@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -85,7 +85,7 @@ TEST(SummaryJson, NumbersReadBackToTheSameBits) {
 TEST(SummaryJson, IsWrittenForPeopleToo) {
   const TemporaryDirectory directory;
   write_summary(directory.path() / "summary.json", example());
-  const std::string text = read_all(directory.path() / "summary.json");
+  const std::string text = text_of(directory.path() / "summary.json");
   EXPECT_EQ(text, summary_text(example()));
   EXPECT_TRUE(text.starts_with("{\n  \"scene\": \"scenes/colisao.animado\",\n")) << text;
   EXPECT_TRUE(text.ends_with("}\n"));

@@ -9,6 +9,7 @@
 #include "controle/scene/obj_file.hpp"
 #include "controle/scene/scene.hpp"
 #include "controle/scene/script_file.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::controle {
 namespace {
@@ -17,13 +18,6 @@ using testing::HasSubstr;
 
 class Files : public testing::Test {
  protected:
-  Files() {
-    std::string name = (std::filesystem::temp_directory_path() / "animado-files-XXXXXX").string();
-    EXPECT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  ~Files() override { std::filesystem::remove_all(folder_); }
-
   std::string write(const std::string& name, const std::string& text) const {
     const std::string path = (folder_ / name).string();
     std::ofstream(path) << text;
@@ -35,12 +29,12 @@ class Files : public testing::Test {
     try {
       read(write("file", text));
     } catch (const Error& error) {
-      return std::string(error.what()).substr(folder_.string().size() + 1);
+      return std::string(error.what()).substr(folder_.path().string().size() + 1);
     }
     return "accepted";
   }
 
-  std::filesystem::path folder_;
+  TemporaryDirectory folder_;
 };
 
 constexpr const char* kTetrahedron =
@@ -115,7 +109,7 @@ TEST_F(Files, SceneThatIsNotThereIsRefused) {
     EXPECT_EQ(error.code(), Code::unavailable);
     EXPECT_THAT(error.where(), HasSubstr("nothing.animado"));
   }
-  EXPECT_THROW(read_scene(folder_.string()), Error);
+  EXPECT_THROW(read_scene(folder_.path().string()), Error);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "animado/one_core.hpp"
+#include "rpc/one_core.hpp"
 
 #include <fmt/format.h>
 #include <sys/socket.h>
@@ -6,13 +6,13 @@
 
 #include <cstddef>
 
-namespace animado {
+namespace animado::rpc {
 namespace {
 
 // A socket's name in the abstract namespace is held by one process at a time, whoever runs it, and is free
 // again when that process ends, however it ends. The file descriptor is empty when somebody holds the core.
-rpc::UniqueFd claim(int core) {
-  rpc::UniqueFd held(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+UniqueFd claim(int core) {
+  UniqueFd held(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   sockaddr_un address{AF_UNIX, {}};
   const auto end = fmt::format_to(address.sun_path + 1, "animado/core/{}", core);
   const auto size = static_cast<socklen_t>(end - reinterpret_cast<char*>(&address));
@@ -42,4 +42,4 @@ OneCore::~OneCore() {
   if (claim_) sched_setaffinity(0, sizeof before_, &before_);
 }
 
-}  // namespace animado
+}  // namespace animado::rpc

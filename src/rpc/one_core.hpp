@@ -9,7 +9,7 @@
 
 #include "rpc/unique_fd.hpp"
 
-namespace animado {
+namespace animado::rpc {
 
 class OneCore {
  public:
@@ -22,7 +22,7 @@ class OneCore {
 
  private:
   cpu_set_t before_;
-  rpc::UniqueFd claim_;
+  UniqueFd claim_;
 };
 
-}  // namespace animado
+}  // namespace animado::rpc

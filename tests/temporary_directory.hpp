@@ -15,13 +15,14 @@ class TemporaryDirectory {
   TemporaryDirectory() {
     std::string pattern = std::filesystem::temp_directory_path() / "animado-test-XXXXXX";
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = pattern;
+    path_ = std::filesystem::canonical(pattern);
   }
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
   ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
 
   const std::filesystem::path& path() const { return path_; }
+  operator const std::filesystem::path&() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
@@ -29,12 +30,12 @@ class TemporaryDirectory {
 };
 
 inline std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
 inline std::filesystem::path write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file) << text;
+  std::ofstream(file, std::ios::binary) << text;
   return file;
 }
 

@@ -1,11 +1,11 @@
-#include "animado/one_core.hpp"
+#include "rpc/one_core.hpp"
 
 #include <gtest/gtest.h>
 
 #include <latch>
 #include <thread>
 
-namespace animado {
+namespace animado::rpc {
 namespace {
 
 cpu_set_t allowed() {
@@ -63,4 +63,4 @@ TEST(OneCore, TheOnlyCoreThatIsAllowedStays) {
 }
 
 }  // namespace
-}  // namespace animado
+}  // namespace animado::rpc
