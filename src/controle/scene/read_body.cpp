@@ -107,7 +107,8 @@ class BodyReader {
     if (const Entry* entry = find("group"))
       body_.group = group_name(fold(entry->value.text), entry->value.place);
     if (const Entry* entry = find("collides with")) {
-      for (const std::string_view name : split(fold(entry->value.text), ", \t")) {
+      const std::string groups = fold(entry->value.text);
+      for (const std::string_view name : split(groups, ", \t")) {
         if (name != "and" && name != "e")
           body_.collides_with.push_back(group_name(std::string(name), entry->value.place));
       }
