@@ -1,0 +1,52 @@
+// What this server keeps between two requests: prepared systems of every kind, each under a number that the
+// connection owns which asked for it. The number ends with its release, with the connection, or with this
+// process; it is never used twice.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "base/error.hpp"
+
+namespace animado::egesp {
+
+inline constexpr size_t kLargestPrepared = size_t{1} << 30;  // bytes that one connection may keep here
+
+// One kind of prepared system derives from this.
+class Prepared {
+ public:
+  virtual ~Prepared() = default;
+  virtual size_t bytes() const = 0;
+};
+
+class Handles {
+ public:
+  // Throws limit when the owner keeps too much already.
+  int64_t keep(uint64_t owner, std::unique_ptr<Prepared> prepared);
+
+  // The owner's prepared system of that kind, named in the error. Throws unknown_handle.
+  template <class Kind>
+  Kind& find(uint64_t owner, int64_t handle, std::string_view kind) {
+    auto* found = dynamic_cast<Kind*>(find_any(owner, handle));
+    if (found == nullptr) refuse(handle, kind);
+    return *found;
+  }
+
+  bool release(uint64_t owner, int64_t handle);  // false when there is none: a repeated request
+  void end(uint64_t owner);                      // its connection is gone
+
+ private:
+  using Owned = std::map<int64_t, std::unique_ptr<Prepared>>;
+
+  Prepared* find_any(uint64_t owner, int64_t handle) const;
+  [[noreturn]] static void refuse(int64_t handle, std::string_view kind);
+  static size_t bytes(const Owned& owned);
+
+  std::map<uint64_t, Owned> owners_;
+  int64_t last_ = 0;
+};
+
+}  // namespace animado::egesp
