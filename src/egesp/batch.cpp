@@ -121,14 +121,6 @@ class Solver {
 
 }  // namespace
 
-InstructionSet widest_instruction_set() {
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl")) {
-    return InstructionSet::avx512;
-  }
-  return __builtin_cpu_supports("avx2") ? InstructionSet::avx2 : InstructionSet::sse2;
-}
-
 std::vector<Refusal> solve_batch(const Batch& batch, const PivotRule& rule, InstructionSet instructions) {
   assert(batch.matrices.size() == batch.count * batch.n * batch.n);
   assert(batch.right_sides.size() == batch.count * batch.n * batch.m &&

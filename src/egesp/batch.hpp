@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "egesp/instruction_set.hpp"
 #include "egesp/pivot_rule.hpp"
 
 namespace animado::egesp {
@@ -22,9 +23,6 @@ struct Refusal {
   size_t system;
   size_t pivot;  // the index of the refused pivot; n when all were accepted and the solution overflowed
 };
-
-enum class InstructionSet { scalar, sse2, avx2, avx512 };
-InstructionSet widest_instruction_set();  // of this machine
 
 // The systems that were refused, in order; the others are solved whatever happened to these. Numbers that are
 // not finite make their system refused.

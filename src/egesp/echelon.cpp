@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "egesp/blocked_kernels.hpp"
+
 namespace animado::egesp {
 namespace {
 
-constexpr size_t kPanel =
-    32;  // columns eliminated before the rest of the matrix is touched: a panel's rows stay in the L2 cache
-constexpr size_t kTile = 512;  // columns of the rest that one pass works on: 32 rows of it are 128 KiB
+constexpr size_t kPlain = 48;  // rows or columns up to which the plain loops are as fast as the blocked ones
 
 struct Sweep {
   std::span<double> a;
@@ -32,6 +32,7 @@ void exchange_rows(Sweep& s, size_t i, size_t k) {
   if (i == k) return;
   std::swap_ranges(s.row(i), s.row(i) + s.columns, s.row(k));
   std::swap_ranges(s.right(i), s.right(i) + s.right_sides, s.right(k));
+  std::swap(s.echelon.rows[i], s.echelon.rows[k]);
   s.echelon.odd = !s.echelon.odd;
 }
 
@@ -66,65 +67,67 @@ void subtract(double* target, double factor, const double* source, size_t count)
   for (size_t j = 0; j < count; ++j) target[j] -= factor * source[j];
 }
 
-// Stores the factors of column k and applies them to the columns up to `end` and to B.
-void eliminate_column(Sweep& s, size_t k, size_t end) {
+// Stores the factors of column k and applies them to the columns beside it and to B.
+void eliminate_column(Sweep& s, size_t k) {
   const double* pivot = s.row(k);
   const double inverse = 1.0 / pivot[k];
   for (size_t i = k + 1; i < s.rows; ++i) {
     double* a = s.row(i);
     const double factor = a[k] *= inverse;
-    subtract(a + k + 1, factor, pivot + k + 1, end - k - 1);
+    subtract(a + k + 1, factor, pivot + k + 1, s.columns - k - 1);
     subtract(s.right(i), factor, s.right(k), s.right_sides);
   }
 }
 
-// Applies the factors of the columns first … last − 1 to the columns from `last` on, a tile at a time.
-void update_rest(Sweep& s, size_t first, size_t last) {
-  for (size_t tile = last; tile < s.columns; tile += kTile) {
-    const size_t width = std::min(kTile, s.columns - tile);
-    for (size_t i = first + 1; i < s.rows; ++i) {
-      for (size_t k = first; k < std::min(i, last); ++k)
-        subtract(s.row(i) + tile, s.row(i)[k], s.row(k) + tile, width);
-    }
-  }
-}
-
-void sweep_partial(Sweep& s, double floor) {
-  const size_t steps = std::min(s.rows, s.columns);
-  for (size_t first = 0; first < steps; first += kPanel) {
-    const size_t last = std::min(first + kPanel, steps);
-    for (size_t k = first; k < last; ++k) {
-      const size_t i = pivot_row(s, k);
-      if (!(std::abs(s.row(i)[k]) > floor)) return;
-      exchange_rows(s, i, k);
-      eliminate_column(s, k, last);
-      ++s.echelon.pivots;
-    }
-    update_rest(s, first, last);
-  }
-}
-
-void sweep_complete(Sweep& s, double floor) {
-  s.echelon.columns.resize(s.columns);
-  std::iota(s.echelon.columns.begin(), s.echelon.columns.end(), size_t{0});
+void sweep_plainly(Sweep& s, bool complete, double floor) {
   for (size_t k = 0; k < std::min(s.rows, s.columns); ++k) {
-    const auto [i, j] = pivot_row_and_column(s, k);
+    const auto [i, j] = complete ? pivot_row_and_column(s, k) : std::pair{pivot_row(s, k), k};
     if (!(std::abs(s.row(i)[j]) > floor)) return;
     exchange_rows(s, i, k);
-    exchange_columns(s, j, k);
-    eliminate_column(s, k, s.columns);
+    if (complete) exchange_columns(s, j, k);
+    eliminate_column(s, k);
     ++s.echelon.pivots;
   }
+}
+
+void sweep_in_blocks(Sweep& s, bool complete, double floor, const BlockedKernels& kernels) {
+  AlignedNumbers scratch(scratch_numbers(s.rows));
+  Reduction reduction{s.a.data(),
+                      s.rows,
+                      s.columns,
+                      s.b.data(),
+                      s.right_sides,
+                      floor,
+                      s.echelon.rows.data(),
+                      s.echelon.columns.data(),
+                      scratch.data(),
+                      0,
+                      false};
+  (complete ? kernels.eliminate_complete : kernels.eliminate)(reduction);
+  s.echelon.pivots = reduction.pivots;
+  s.echelon.odd = reduction.odd;
+}
+
+std::vector<size_t> counted(size_t count) {
+  std::vector<size_t> order(count);
+  std::iota(order.begin(), order.end(), size_t{0});
+  return order;
 }
 
 }  // namespace
 
 Echelon reduce_to_echelon(std::span<double> a, size_t rows, size_t columns, std::span<double> b,
-                          size_t right_sides, const PivotRule& rule) {
+                          size_t right_sides, const PivotRule& rule, InstructionSet instructions) {
   assert(a.size() == rows * columns && b.size() == rows * right_sides);
   Sweep sweep{a, rows, columns, b, right_sides, {}};
+  sweep.echelon.rows = counted(rows);
+  if (rule.complete) sweep.echelon.columns = counted(columns);
   const double floor = rule.floor(std::max(rows, columns), largest_element(a));
-  rule.complete ? sweep_complete(sweep, floor) : sweep_partial(sweep, floor);
+  if (instructions == InstructionSet::scalar || std::max(rows, columns) <= kPlain) {
+    sweep_plainly(sweep, rule.complete, floor);
+  } else {
+    sweep_in_blocks(sweep, rule.complete, floor, blocked_kernels(instructions));
+  }
   return std::move(sweep.echelon);
 }
 

@@ -6,21 +6,10 @@
 #include <vector>
 
 #include "egesp/determinant.hpp"
+#include "egesp/triangles.hpp"
 
 namespace animado::egesp {
 namespace {
-
-// Row by row, so that A is read along its rows; b_i still meets its terms in the order k = n−1, n−2, …
-void sweep_upward(std::span<const double> a, std::span<double> b, size_t n, size_t m) {
-  for (size_t i = n; i-- > 0;) {
-    double* x = b.data() + i * m;
-    for (size_t k = n; k-- > i + 1;) {
-      for (size_t c = 0; c < m; ++c) x[c] -= a[i * n + k] * b[k * m + c];
-    }
-    const double inverse = 1.0 / a[i * n + i];
-    for (size_t c = 0; c < m; ++c) x[c] *= inverse;
-  }
-}
 
 // Row k of the form belongs to unknown columns[k].
 void restore_order(std::span<double> b, size_t m, const std::vector<size_t>& columns) {
@@ -33,11 +22,11 @@ void restore_order(std::span<double> b, size_t m, const std::vector<size_t>& col
 
 }  // namespace
 
-Elimination gauss_jordan(std::span<double> a, std::span<double> b, size_t n, size_t m,
-                         const PivotRule& rule) {
-  const Echelon echelon = reduce_to_echelon(a, n, n, b, m, rule);
+Elimination gauss_jordan(std::span<double> a, std::span<double> b, size_t n, size_t m, const PivotRule& rule,
+                         InstructionSet instructions) {
+  const Echelon echelon = reduce_to_echelon(a, n, n, b, m, rule, instructions);
   if (echelon.pivots < n) return {echelon.pivots, false, 0};
-  sweep_upward(a, b, n, m);
+  substitute_upward(a, n, b, m, instructions);
   if (rule.complete) restore_order(b, m, echelon.columns);
   const bool finite = std::ranges::all_of(b, [](double x) { return std::isfinite(x); });
   return {n, finite, product_of_pivots(a, n, echelon)};

@@ -21,6 +21,7 @@ struct Elimination {
 };
 
 // Row-major: a (n, n) is used up, b (n, m) becomes X. What is in b is of no use unless solved().
-Elimination gauss_jordan(std::span<double> a, std::span<double> b, size_t n, size_t m, const PivotRule& rule);
+Elimination gauss_jordan(std::span<double> a, std::span<double> b, size_t n, size_t m, const PivotRule& rule,
+                         InstructionSet instructions = widest_instruction_set());
 
 }  // namespace animado::egesp
