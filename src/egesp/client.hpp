@@ -16,6 +16,22 @@ class Client {
     return channel_.call<Determinant>(request);
   }
   Rank::Reply rank(const Rank::Request& request) { return channel_.call<Rank>(request); }
+  LeastSquares::Reply least_squares(const LeastSquares::Request& request) {
+    return channel_.call<LeastSquares>(request);
+  }
+  SparseSolve::Reply sparse_solve(const SparseSolve::Request& request) {
+    return channel_.call<SparseSolve>(request);
+  }
+  SparsePrepare::Reply sparse_prepare(const SparsePrepare::Request& request) {
+    return channel_.call<SparsePrepare>(request);
+  }
+  SparseRefactor::Reply sparse_refactor(const SparseRefactor::Request& request) {
+    return channel_.call<SparseRefactor>(request);
+  }
+  SparseSolvePrepared::Reply sparse_solve_prepared(const SparseSolvePrepared::Request& request) {
+    return channel_.call<SparseSolvePrepared>(request);
+  }
+  void release(int64_t handle) { channel_.call<Release>({handle}); }
 
   // One system A x = b of b.size() equations, A row-major.
   std::vector<double> solve(std::vector<double> matrix, std::vector<double> right_side) {

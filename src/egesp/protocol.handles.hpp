@@ -8,7 +8,8 @@ namespace animado::egesp {
 struct Release {
   static constexpr std::string_view name = "release";
   static constexpr std::string_view doc =
-      "Forgets a prepared system, dense or sparse. Nothing happens when the handle is not known: it ended already.";
+      "Forgets a prepared system, dense or sparse. Nothing happens when the handle is not known: it ended "
+      "already.";
   struct Request {
     int64_t handle = 0;
     template <class Self, class F>

@@ -4,6 +4,10 @@
 #include <array>
 #include <optional>
 
+#include "egesp/protocol.accuracy.hpp"
+#include "egesp/protocol.handles.hpp"
+#include "egesp/protocol.least_squares.hpp"
+#include "egesp/protocol.sparse.hpp"
 #include "rpc/message.hpp"
 
 namespace animado::egesp {
@@ -12,51 +16,70 @@ using rpc::Array;
 using namespace std::string_view_literals;
 
 enum class Pivoting { partial, complete };
-constexpr auto names(const Pivoting*) { return std::array{"partial"sv, "complete"sv}; }
+constexpr auto names(const Pivoting*) {
+  return std::array{"partial"sv, "complete"sv};
+}
 
-// How a batch lies in memory. systems: one system after the other, shape (count, n, n). lanes: element by element, shape
-// (n, n, count), so that neighbouring numbers belong to neighbouring systems and one instruction serves several.
+// How a batch lies in memory. systems: one system after the other, shape (count, n, n). lanes: element by
+// element, shape (n, n, count), so that neighbouring numbers belong to neighbouring systems and one
+// instruction serves several.
 enum class Layout { systems, lanes };
-constexpr auto names(const Layout*) { return std::array{"systems"sv, "lanes"sv}; }
+constexpr auto names(const Layout*) {
+  return std::array{"systems"sv, "lanes"sv};
+}
 
 struct Solve {
   static constexpr auto name = "solve"sv;
   static constexpr auto doc =
-      "Solves A X = B for a batch of systems of one size by Gauss–Jordan elimination with pivoting. A singular system is an "
-      "error (code singular) that names its index in the batch, the pivot reached and the size."sv;
+      "Solves A X = B for a batch of systems of one size by Gauss–Jordan elimination with pivoting. A "
+      "singular system is an "
+      "error (code singular) that names its index in the batch, the pivot reached and the size. Small "
+      "systems go several at "
+      "a time, large ones in blocks; the bits are the same."sv;
   struct Request {
     Array matrices, right_sides;
     Pivoting pivoting = Pivoting::partial;
     double threshold = 0;
     Layout layout = Layout::systems;
     std::optional<Array> out;
+    bool residual = false, condition = false, refine = false;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
-      field("matrices", s.matrices, "A, shape (count, n, n), or (n, n) for one system; (n, n, count) in layout lanes");
+      field("matrices", s.matrices,
+            "A, shape (count, n, n), or (n, n) for one system; (n, n, count) in layout lanes");
       field("right_sides", s.right_sides,
-            "B, shape (count, n, m), or (count, n) for one right-hand side each, or (n) or (n, m) for one system; (n, m, count) "
+            "B, shape (count, n, m), or (count, n) for one right-hand side each, or (n) or (n, m) for one "
+            "system; (n, m, count) "
             "or (n, count) in layout lanes");
       field("pivoting", s.pivoting, "partial (row exchanges) or complete (rows and columns)", rpc::kDefault);
       field("threshold", s.threshold,
-            "T: a pivot not larger than T times the largest element of its matrix is refused as singular; 0 refuses "
+            "T: a pivot not larger than T times the largest element of its matrix is refused as singular; 0 "
+            "refuses "
             "only what is lost in rounding (n · 2⁻⁵²)",
             rpc::kDefault);
       field("layout", s.layout, "systems or lanes", rpc::kDefault);
       field("out", s.out, "shared array for X, the shape of right_sides; inline reply when missing");
+      field("residual", s.residual, "tell the backward error of each system", rpc::kDefault);
+      field("condition", s.condition, "tell the reciprocal condition of each system", rpc::kDefault);
+      field("refine", s.refine, "one step of iterative refinement; tells the backward errors too",
+            rpc::kDefault);
     }
   };
   struct Reply {
     Array solutions;
+    std::optional<Accuracy> accuracy = {};
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("solutions", s.solutions, "X, the shape of right_sides");
+      field("accuracy", s.accuracy, "on request");
     }
   };
 };
 
 struct Invert {
   static constexpr auto name = "invert"sv;
-  static constexpr auto doc = "Inverts a batch of matrices; their determinants come with them. Singular as in solve."sv;
+  static constexpr auto doc =
+      "Inverts a batch of matrices; their determinants come with them. Singular as in solve."sv;
   struct Request {
     Array matrices;
     Pivoting pivoting = Pivoting::partial;
@@ -109,7 +132,8 @@ struct Rank {
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("matrices", s.matrices, "shape (count, rows, columns), or (rows, columns)");
-      field("threshold", s.threshold, "T, relative to the largest element; 0 means max(rows, columns) · 2⁻⁵²", rpc::kDefault);
+      field("threshold", s.threshold, "T, relative to the largest element; 0 means max(rows, columns) · 2⁻⁵²",
+            rpc::kDefault);
     }
   };
   struct Reply {
@@ -121,6 +145,7 @@ struct Rank {
   };
 };
 
-using Messages = std::tuple<Solve, Invert, Determinant, Rank>;
+using Messages = std::tuple<Solve, Invert, Determinant, Rank, LeastSquares, SparseSolve, SparsePrepare,
+                            SparseRefactor, SparseSolvePrepared, Release>;
 
 }  // namespace animado::egesp

@@ -6,30 +6,21 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "egesp/batch.hpp"
 #include "egesp/batch_shape.hpp"
 #include "egesp/determinant.hpp"
+#include "egesp/examined.hpp"
 #include "egesp/invert.hpp"
 #include "egesp/protocol.hpp"
 #include "egesp/rank.hpp"
+#include "egesp/server.checks.hpp"
+#include "egesp/server.parts.hpp"
 #include "rpc/destination.hpp"
 
 namespace animado::egesp {
 namespace {
 
 PivotRule checked_rule(Pivoting pivoting, double threshold) {
-  if (!(threshold >= 0 && threshold < 1)) {
-    throw Error(Code::bad_params, fmt::format("the threshold is {}", threshold), "threshold",
-                "T is a fraction of the largest element: at least 0, less than 1");
-  }
-  return {pivoting == Pivoting::complete, threshold};
-}
-
-void refuse_infinite(std::span<const double> numbers, const char* where) {
-  const auto found = std::ranges::find_if_not(numbers, [](double v) { return std::isfinite(v); });
-  if (found == numbers.end()) return;
-  throw Error(Code::not_finite, fmt::format("element {} is {}", found - numbers.begin(), *found),
-              fmt::format("{}[{}]", where, found - numbers.begin()), "send finite numbers only");
+  return {pivoting == Pivoting::complete, checked_threshold(threshold)};
 }
 
 [[noreturn]] void refuse_system(const Refusal& refusal, size_t refused, size_t count, size_t n,
@@ -58,15 +49,23 @@ Solve::Reply solve(const Solve::Request& request, rpc::Call& call) {
   check_work(shape, m);
   const auto matrices = call.read(request.matrices), sides = call.read(request.right_sides);
   rpc::Destination solutions(call, request.out, request.right_sides.shape, {matrices, sides});
+  const Batch batch{matrices, sides, solutions.values(), shape.count, n, m, interleaved};
+  const Questions questions{request.residual, request.condition, request.refine};
+  Examination examination;
   const auto refusals =
-      solve_batch({matrices, sides, solutions.values(), shape.count, n, m, interleaved}, rule);
+      questions.any() ? solve_examined(batch, rule, questions, examination) : solve_batch(batch, rule);
   if (!refusals.empty()) {
     // Numbers that are not finite end in a refusal too: they are looked for only then.
     refuse_infinite(matrices, "matrices");
     refuse_infinite(sides, "right_sides");
     refuse_system(refusals.front(), refusals.size(), shape.count, n, rule);
   }
-  return {std::move(solutions).take()};
+  Solve::Reply reply{std::move(solutions).take()};
+  if (questions.any()) {
+    reply.accuracy =
+        accuracy_of(std::move(examination.backward_errors), std::move(examination.reciprocal_conditions));
+  }
+  return reply;
 }
 
 Invert::Reply invert_all(const Invert::Request& request, rpc::Call& call) {
@@ -120,7 +119,15 @@ Rank::Reply ranks(const Rank::Request& request, rpc::Call& call) {
 }  // namespace
 
 void fill_table(rpc::Service& service, rpc::Suite&) {
+  const auto handles = std::make_shared<Handles>();
   service.on<Solve>(solve).on<Invert>(invert_all).on<Determinant>(determinants).on<Rank>(ranks);
+  add_least_squares(service);
+  add_sparse(service, handles);
+  service.on<Release>([handles](const Release::Request& request, rpc::Call& call) {
+    handles->release(call.connection(), request.handle);
+    return rpc::Nothing{};
+  });
+  service.on_disconnect = [handles](rpc::ConnectionId connection) { handles->end(connection); };
 }
 
 }  // namespace animado::egesp
