@@ -27,6 +27,7 @@ void add_set_command(CommandLine& line);
 void add_eval_command(CommandLine& line);
 void add_watch_command(CommandLine& line);
 void add_call_command(CommandLine& line);
+void add_solve_command(CommandLine& line);
 void add_protocol_command(CommandLine& line);
 
 }  // namespace animado

@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kMostSteps = 5;  // Higham's limit; two are the rule
 
+constexpr double kRounding = 0x1p-52;  // a backward error up to this says nothing about the digits of x
+
 double largest(std::span<const double> numbers, size_t first = 0, size_t stride = 1) {
   double size = 0;
   for (size_t i = first; i < numbers.size(); i += stride) size = std::max(size, std::abs(numbers[i]));
@@ -91,7 +93,7 @@ void refine(const Factored& a, std::span<const double> b, std::span<double> x, s
       before[i] = x[i * m + c];
       x[i * m + c] += r[i];
     }
-    if (backward_error_of(a, norm, b, x, m, c, r) <= error) continue;
+    if (backward_error_of(a, norm, b, x, m, c, r) <= std::max(error, kRounding)) continue;
     for (size_t i = 0; i < r.size(); ++i) x[i * m + c] = before[i];
   }
 }

@@ -19,7 +19,8 @@ namespace animado::egesp {
 // The largest over the m right-hand sides. b, x: (n, m), row-major.
 double backward_error(const Factored& a, std::span<const double> b, std::span<const double> x, size_t m);
 
-// One step for each right-hand side. One whose backward error would grow is left as it was.
+// One step for each right-hand side. One whose backward error would grow beyond a rounding is
+// left as it was.
 void refine(const Factored& a, std::span<const double> b, std::span<double> x, size_t m);
 
 double reciprocal_condition(const Factored& a);

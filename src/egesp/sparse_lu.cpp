@@ -61,9 +61,10 @@ struct SparseLu::Klu {
 SparseLu::SparseLu(SparseMatrix a, const SparseRule& rule)
     : a_(std::move(a)), klu_(std::make_unique<Klu>(rule)) {
   klu_->symbolic = klu_analyze(a_.n, a_.starts.data(), a_.rows.data(), &klu_->common);
-  if (klu_->common.status == KLU_OK && klu_->common.structural_rank < a_.n)
-    refuse_singular(
-        fmt::format("by its zeros alone its rank is at most {} of {}", klu_->common.structural_rank, a_.n));
+  // With the natural ordering KLU does not look for it; factoring then says what is singular.
+  const int rank = klu_->common.structural_rank;
+  if (klu_->common.status == KLU_OK && rank >= 0 && rank < a_.n)
+    refuse_singular(fmt::format("by its zeros alone its rank is at most {} of {}", rank, a_.n));
   klu_->check(klu_->symbolic != nullptr);
   const klu_symbolic& plan = *klu_->symbolic;
   if (plan.lnz + plan.unz > kMostFactorEntries || plan.est_flops > kLargestWork)

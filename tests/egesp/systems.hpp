@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "egesp/sparse_matrix.hpp"
+
 namespace animado::egesp {
 
 // The generator of the benchmark scenes: a 64-bit linear congruential one, the same on every machine.
@@ -32,6 +34,22 @@ inline std::vector<double> hilbert(size_t n) {
     for (size_t j = 0; j < n; ++j) a[i * n + j] = 1.0 / static_cast<double>(i + j + 1);
   }
   return a;
+}
+
+// −Δ on a square of k × k points, five elements a row.
+inline SparseMatrix poisson(int k) {
+  std::vector<double> rows, columns, values;
+  const auto add = [&](int i, int j, double value) {
+    rows.push_back(i), columns.push_back(j), values.push_back(value);
+  };
+  for (int i = 0; i < k * k; ++i) {
+    add(i, i, 4);
+    if (i % k > 0) add(i, i - 1, -1);
+    if (i % k < k - 1) add(i, i + 1, -1);
+    if (i >= k) add(i, i - k, -1);
+    if (i < k * (k - 1)) add(i, i + k, -1);
+  }
+  return SparsePattern(SparseFormat::triplets, k * k, rows, columns, values.size()).matrix(values);
 }
 
 // The smallest relative change of A and b that makes x exact, ‖b − A x‖ / (‖A‖ ‖x‖ + ‖b‖) in the maximum norm

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "blocks.hpp"
 #include "command.hpp"
 #include "services.hpp"
 
@@ -11,19 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kSource = ANIMADO_SOURCE_DIR;
-
-// The code blocks of a page that open with ```LANGUAGE.
-std::vector<std::string> blocks(const fs::path& page, const std::string& language) {
-  const std::string text = text_of(page), opening = "\n```" + language + "\n", closing = "\n```";
-  std::vector<std::string> found;
-  for (size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
-    const size_t begin = at + opening.size();
-    at = text.find(closing, begin);
-    if (at == std::string::npos) break;
-    found.push_back(text.substr(begin, at + 1 - begin));
-  }
-  return found;
-}
 
 TEST(Readme, ShowsTheExampleInPythonAsItIs) {
   const auto shown = blocks(kSource / "README.md", "python");
