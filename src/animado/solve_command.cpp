@@ -182,10 +182,12 @@ void add_solve_command(CommandLine& line) {
   command.add_flag("--refine", o->refine, "One step of iterative refinement");
   command.add_flag("--condition", o->condition,
                    "Tell the reciprocal condition; warn when the system is ill-conditioned");
-  command.add_flag("--least-squares", o->least_squares,
-                   "Any shape and rank: least squares by Householder reflections");
+  CLI::Option* fit = command.add_flag("--least-squares", o->least_squares,
+                                      "Any shape and rank: least squares by Householder reflections");
+  for (const auto* other : {"--method", "--pivoting", "--residual", "--refine", "--condition"})
+    fit->excludes(other);
   command.add_flag("--minimum-norm", o->minimum_norm, "With --least-squares: of all solutions the shortest")
-      ->needs("--least-squares");
+      ->needs(fit);
   add_suite_choice(command, o->suite);
   command.callback([o] { solve(*o); });
 }

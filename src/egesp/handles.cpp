@@ -4,15 +4,15 @@
 
 namespace animado::egesp {
 
-int64_t Handles::keep(uint64_t owner, std::unique_ptr<Prepared> prepared) {
+int64_t Handles::keep(uint64_t owner, std::unique_ptr<Kept> system) {
   Owned& owned = owners_[owner];
-  if (bytes(owned) + prepared->bytes() > kLargestPrepared) {
+  if (bytes(owned) + system->bytes() > kLargestPrepared) {
     throw Error(Code::limit,
                 fmt::format("{} prepared systems and this one hold more than {} bytes", owned.size(),
                             kLargestPrepared),
                 {}, "release what is not needed any more");
   }
-  owned.emplace(++last_, std::move(prepared));
+  owned.emplace(++last_, std::move(system));
   return last_;
 }
 
@@ -25,7 +25,7 @@ void Handles::end(uint64_t owner) {
   owners_.erase(owner);
 }
 
-Prepared* Handles::find_any(uint64_t owner, int64_t handle) const {
+Kept* Handles::find_any(uint64_t owner, int64_t handle) const {
   const auto owned = owners_.find(owner);
   if (owned == owners_.end()) return nullptr;
   const auto entry = owned->second.find(handle);
@@ -39,7 +39,7 @@ void Handles::refuse(int64_t handle, std::string_view kind) {
 
 size_t Handles::bytes(const Owned& owned) {
   size_t sum = 0;
-  for (const auto& [handle, prepared] : owned) sum += prepared->bytes();
+  for (const auto& [handle, system] : owned) sum += system->bytes();
   return sum;
 }
 

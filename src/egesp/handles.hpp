@@ -15,17 +15,17 @@ namespace animado::egesp {
 
 inline constexpr size_t kLargestPrepared = size_t{1} << 30;  // bytes that one connection may keep here
 
-// One kind of prepared system derives from this.
-class Prepared {
+// A prepared system of any kind.
+class Kept {
  public:
-  virtual ~Prepared() = default;
+  virtual ~Kept() = default;
   virtual size_t bytes() const = 0;
 };
 
 class Handles {
  public:
   // Throws limit when the owner keeps too much already.
-  int64_t keep(uint64_t owner, std::unique_ptr<Prepared> prepared);
+  int64_t keep(uint64_t owner, std::unique_ptr<Kept> system);
 
   // The owner's prepared system of that kind, named in the error. Throws unknown_handle.
   template <class Kind>
@@ -39,9 +39,9 @@ class Handles {
   void end(uint64_t owner);                      // its connection is gone
 
  private:
-  using Owned = std::map<int64_t, std::unique_ptr<Prepared>>;
+  using Owned = std::map<int64_t, std::unique_ptr<Kept>>;
 
-  Prepared* find_any(uint64_t owner, int64_t handle) const;
+  Kept* find_any(uint64_t owner, int64_t handle) const;
   [[noreturn]] static void refuse(int64_t handle, std::string_view kind);
   static size_t bytes(const Owned& owned);
 

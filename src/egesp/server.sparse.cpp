@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kKind = "prepared sparse system";
 
 // A pattern beside the factors of values in it.
-struct PreparedSparse final : Prepared {
+struct PreparedSparse final : Kept {
   SparsePattern pattern;
   SparseLu lu;
 

@@ -1,11 +1,13 @@
 #include "egesp/sparse_lu.hpp"
 
 #include <fmt/format.h>
+#include <suitesparse/SuiteSparse_config.h>
 #include <suitesparse/klu.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/error.hpp"
 #include "egesp/batch_shape.hpp"
@@ -31,6 +33,19 @@ constexpr double kLeastGrowth = 1e-6;
               "look for equations that depend on each other, or for an unknown that none of them holds");
 }
 
+// An ordering that is not AMD's has no estimate, and the factors of a block are one piece of memory: that it
+// stays below this keeps a service alive which was asked for too much. KLU then says that there is no memory.
+constexpr size_t kLargestPiece = size_t{1} << 30;  // bytes
+
+void limit_memory() {
+  SuiteSparse_config.malloc_func = [](size_t bytes) {
+    return bytes > kLargestPiece ? nullptr : std::malloc(bytes);
+  };
+  SuiteSparse_config.realloc_func = [](void* old, size_t bytes) {
+    return bytes > kLargestPiece ? nullptr : std::realloc(old, bytes);
+  };
+}
+
 }  // namespace
 
 struct SparseLu::Klu {
@@ -39,6 +54,7 @@ struct SparseLu::Klu {
   klu_numeric* numeric = nullptr;
 
   explicit Klu(const SparseRule& rule) {
+    limit_memory();
     klu_defaults(&common);
     common.tol = rule.threshold;
     // Natural: KLU calls it "given", and takes the order as it is when no permutation is given.

@@ -6,7 +6,7 @@
 namespace animado::egesp {
 namespace {
 
-struct Thing : Prepared {
+struct Thing : Kept {
   explicit Thing(size_t holds, int* ended = nullptr) : holds_(holds), ended_(ended) {}
   ~Thing() override {
     if (ended_) ++*ended_;
@@ -15,7 +15,7 @@ struct Thing : Prepared {
   size_t holds_;
   int* ended_;
 };
-struct OtherThing : Prepared {
+struct OtherThing : Kept {
   size_t bytes() const override { return 0; }
 };
 

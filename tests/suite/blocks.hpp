@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../animado/temporary_directory.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::suite {
 
