@@ -4,8 +4,11 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "base/error.hpp"
 #include "rpc/codec.hpp"
 #include "rpc/message.hpp"
 #include "rpc/unique_fd.hpp"
@@ -27,6 +30,23 @@ class Channel {
     return reply;
   }
 
+  // Many requests of one kind, sent one after the other without waiting for each reply: a few times as many
+  // in a second. They are served in order; one that gets an error stops none of the others.
+  template <class M>
+  struct Answer {
+    typename M::Reply reply{};
+    std::optional<Error> error{};
+  };
+  template <class M>
+  std::vector<Answer<M>> call_all(std::span<const typename M::Request> requests) {
+    std::vector<Answer<M>> answers(requests.size());
+    std::vector<Exchange> exchanges;
+    for (size_t i = 0; i < requests.size(); ++i)
+      exchanges.push_back({&requests[i], &answers[i].reply, &answers[i].error});
+    exchange_all(codec<M>(), exchanges);
+    return answers;
+  }
+
   // The descriptor that came with the last reply (shared arrays), if any.
   virtual UniqueFd take_descriptor() = 0;
 
@@ -42,6 +62,12 @@ class Channel {
 
  protected:
   virtual void exchange(const MessageCodec& message, const void* request, void* reply) = 0;
+  struct Exchange {
+    const void* request;
+    void* reply;
+    std::optional<Error>* error;
+  };
+  virtual void exchange_all(const MessageCodec& message, std::span<const Exchange> exchanges);
   virtual bool next_notification(const MessageCodec&, void*, double) { return false; }
 };
 

@@ -51,22 +51,39 @@ struct Ping {
 
 struct Statistics {
   static constexpr auto name = "statistics"sv;
-  static constexpr auto doc = "What the service has done since it started."sv;
+  static constexpr auto doc =
+      "What the service has done since it started, and how busy it is. Two replies tell what happened "
+      "between "
+      "them."sv;
   using Request = Nothing;
   struct Count {
     std::string message;
     int64_t requests = 0, errors = 0;
+    double time_s = 0;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("message", s.message, "name of the message");
       field("requests", s.requests, "how many came");
       field("errors", s.errors, "how many of them got an error");
+      field("time_s", s.time_s, "that its handler took, all requests together");
+    }
+  };
+  struct Latency {
+    double below_us = 0;
+    int64_t requests = 0;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("below_us", s.below_us, "from the request's arrival until its answer, microseconds");
+      field("requests", s.requests, "that took less, and not less than the row before says");
     }
   };
   struct Reply {
     std::string service, version, up_since;
     int64_t pid = 0, requests = 0, errors = 0;
     std::vector<Count> messages;
+    std::vector<Latency> latency;
+    double up_s = 0, busy_s = 0;
+    int64_t connections = 0, waiting = 0, unsent_bytes = 0;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("service", s.service, "name of the service");
@@ -76,6 +93,13 @@ struct Statistics {
       field("requests", s.requests, "all requests, unreadable ones too");
       field("errors", s.errors, "how many of them got an error");
       field("messages", s.messages, "by message, those that came at least once");
+      field("latency", s.latency,
+            "a histogram: eight steps from one time to its double, empty ones left out");
+      field("up_s", s.up_s, "seconds since it started");
+      field("busy_s", s.busy_s, "seconds of them in which it was serving");
+      field("connections", s.connections, "open now");
+      field("waiting", s.waiting, "connections with requests that are not served yet");
+      field("unsent_bytes", s.unsent_bytes, "of replies and notifications that clients have not read yet");
     }
   };
 };
@@ -126,9 +150,8 @@ using CommonMessages = std::tuple<Hello, Ping, Statistics, Describe>;
 struct Register {
   static constexpr auto name = "register"sv;
   static constexpr auto doc =
-      "Puts a service into the table. The entry is a lease: it ends with the connection that made it. A "
-      "second registration of the same name "
-      "replaces the first."sv;
+      "Puts a server into the table. The entry is a lease: it ends with the connection that made it. Several "
+      "servers may offer one name. A second registration of the same name and socket replaces the first."sv;
   struct Request {
     std::string name, socket, version;
     int64_t pid = 0;
@@ -145,7 +168,11 @@ struct Register {
 
 struct Lookup {
   static constexpr auto name = "lookup"sv;
-  static constexpr auto doc = "Finds a service. Code unavailable when none of that name is registered now."sv;
+  static constexpr auto doc =
+      "Finds a server of that name; when there are several, one after the other. What a connection holds "
+      "(handles, watches, arrays) stays with its server: look up again only when the connection is lost. "
+      "Code "
+      "unavailable when none is registered now."sv;
   struct Request {
     std::string name;
     template <class Self, class F>

@@ -71,18 +71,33 @@ void Dispatcher::add_common() {
   service_.on<Hello>(
       [this](const Hello::Request& request) { return answer_hello(request, service_.name()); });
   service_.on<Ping>([](const Nothing&) { return Nothing{}; });
-  service_.on<Statistics>([this](const Nothing&) {
-    Statistics::Reply reply{service_.name(), ANIMADO_VERSION, up_since_, getpid(),
-                            total_.requests, total_.errors,   {}};
-    for (const auto& [name, count] : counts_)
-      reply.messages.push_back({std::string(name), count.requests, count.errors});
-    return reply;
-  });
+  service_.on<Statistics>([this](const Nothing&) { return statistics(); });
   service_.on<Describe>([this](const Nothing&) {
     Describe::Reply reply;
     for (const auto& [name, entry] : service_.entries()) reply.messages.push_back(described(*entry.codec));
     return reply;
   });
+}
+
+Statistics::Reply Dispatcher::statistics() const {
+  const auto seconds_of = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
+  const Load now = load ? load() : Load{};
+  Statistics::Reply reply{.service = service_.name(),
+                          .version = ANIMADO_VERSION,
+                          .up_since = up_since_,
+                          .pid = getpid(),
+                          .requests = total_.requests,
+                          .errors = total_.errors,
+                          .messages = {},
+                          .latency = latency_.rows(),
+                          .up_s = seconds_of(Clock::now() - start_),
+                          .busy_s = seconds_of(busy_),
+                          .connections = now.connections,
+                          .waiting = now.waiting,
+                          .unsent_bytes = now.unsent_bytes};
+  for (const auto& [name, count] : counts_)
+    reply.messages.push_back({std::string(name), count.requests, count.errors, seconds_of(count.time)});
+  return reply;
 }
 
 const Service::Entry& Dispatcher::entry(std::string_view method) const {
@@ -98,8 +113,8 @@ const Service::Entry& Dispatcher::entry(std::string_view method) const {
 
 Dispatcher::Outcome Dispatcher::run(const Service::Entry& entry, const void* request, void* reply,
                                     Call& call) {
-  const auto start = std::chrono::steady_clock::now();
   Outcome outcome;
+  outcome.begin = Clock::now();
   try {
     entry.handler(request, reply, call);
   } catch (const Error& error) {
@@ -109,14 +124,15 @@ Dispatcher::Outcome Dispatcher::run(const Service::Entry& entry, const void* req
                           fmt::format("{}.{}", service_.name(), entry.codec->name),
                           "this is a bug of the service: please report it with its log");
   }
-  outcome.time = std::chrono::steady_clock::now() - start;
+  outcome.end = Clock::now();
   return outcome;
 }
 
-void Dispatcher::count(std::string_view message, bool failed) {
+void Dispatcher::count(std::string_view message, bool failed, Clock::duration time) {
   for (Count* count : {&total_, &counts_[message]}) {
     ++count->requests;
     count->errors += failed;
+    count->time += time;
   }
 }
 
@@ -126,12 +142,13 @@ void Dispatcher::refuse(std::string_view method, const Marks& marks, const Error
   count(found ? found->codec->name : kUnknown, true);
   const Type& unread = type_of<Nothing>();
   const Nothing nothing;
-  write_line({method, {}, unread, unread}, &nothing, marks, {error, {}});
+  write_line({method, {}, unread, unread}, &nothing, marks, {error});
 }
 
 void Dispatcher::record(const MessageCodec& codec, const void* request, const Marks& marks,
-                        const Outcome& outcome) {
-  count(codec.name, outcome.error.has_value());
+                        const Outcome& outcome, Clock::time_point arrival) {
+  count(codec.name, outcome.error.has_value(), outcome.end - outcome.begin);
+  latency_.count(outcome.end - arrival);
   write_line(codec, request, marks, outcome);
 }
 
@@ -146,8 +163,8 @@ void Dispatcher::write_line(const MessageCodec& codec, const void* request, cons
   line_ += ' ';
   summarize(codec.request, request, line_);
   if (line_.back() != ' ') line_ += ' ';
-  const int64_t tenths =
-      (outcome.time.count() + 50) / 100;  // of a microsecond; integers are written four times as fast
+  const int64_t tenths = ((outcome.end - outcome.begin).count() + 50) /
+                         100;  // of a microsecond; integers are written four times as fast
   fmt::format_to(std::back_inserter(line_), "{}.{} µs ", tenths / 10, tenths % 10);
   if (outcome.error) {
     line_ += name_of(outcome.error->code());

@@ -3,7 +3,7 @@
 // process.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,18 +11,22 @@
 #include "base/error.hpp"
 #include "rpc/common.hpp"
 #include "rpc/decoder.hpp"
+#include "rpc/histogram.hpp"
 #include "rpc/log.hpp"
 #include "rpc/service.hpp"
 #include "rpc/shared_array.hpp"
+#include "rpc/waiting.hpp"
 
 namespace animado::rpc {
 
 // The call that a handler sees.
 class ServedCall final : public Call {
  public:
-  ServedCall(ConnectionId connection, Suite& suite) : connection_(connection), suite_(suite) {}
+  ServedCall(ConnectionId connection, Suite& suite, std::string_view client = {})
+      : connection_(connection), suite_(suite), client_(client) {}
 
   ConnectionId connection() const override { return connection_; }
+  std::string_view client() const override { return client_; }
   std::span<const double> read(const Array& array) override;
   std::span<double> write(const Array& array) override;
   void send_descriptor(int fd) override { outgoing_ = fd; }
@@ -36,6 +40,7 @@ class ServedCall final : public Call {
 
   ConnectionId connection_;
   Suite& suite_;
+  std::string_view client_;
   UniqueFd incoming_;
   int outgoing_ = -1;
 };
@@ -55,24 +60,35 @@ class Dispatcher {
   // How a request ended.
   struct Outcome {
     std::optional<Error> error;
-    std::chrono::nanoseconds time{};
+    Clock::time_point begin{}, end{};  // of the handler
   };
 
   // Calls the handler; whatever it throws becomes an Error. Counting and logging are a step of their own, so
   // that they happen while the reply is on its way.
   Outcome run(const Service::Entry& entry, const void* request, void* reply, Call& call);
-  void record(const MessageCodec& codec, const void* request, const Marks& marks, const Outcome& outcome);
+  // arrival: of the request; its answer is on its way now.
+  void record(const MessageCodec& codec, const void* request, const Marks& marks, const Outcome& outcome,
+              Clock::time_point arrival);
 
   // For a request that never reached a handler: counts and logs it.
   void refuse(std::string_view method, const Marks& marks, const Error& error);
 
+  void was_busy(Clock::duration time) { busy_ += time; }
+  // What there is to do now; set by whoever has connections.
+  struct Load {
+    int64_t connections = 0, waiting = 0, unsent_bytes = 0;
+  };
+  std::function<Load()> load;
+
  private:
   struct Count {
     int64_t requests = 0, errors = 0;
+    Clock::duration time{};
   };
 
   void add_common();
-  void count(std::string_view message, bool failed);
+  Statistics::Reply statistics() const;
+  void count(std::string_view message, bool failed, Clock::duration time = {});
   void write_line(const MessageCodec& codec, const void* request, const Marks& marks, const Outcome& outcome);
 
   Service& service_;
@@ -80,7 +96,10 @@ class Dispatcher {
   Log& log_;
   Count total_;
   std::map<std::string_view, Count> counts_;
-  std::string up_since_ = utc_now();
+  Histogram latency_;
+  Clock::duration busy_{};
+  const std::string up_since_ = utc_now();
+  const Clock::time_point start_ = Clock::now();
   std::string line_;  // kept for its memory
 };
 

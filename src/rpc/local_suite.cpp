@@ -5,9 +5,6 @@
 
 #include <algorithm>
 
-#include "rpc/decoder.hpp"
-#include "rpc/encoder.hpp"
-
 namespace animado::rpc {
 namespace {
 
@@ -26,12 +23,14 @@ LocalChannel::LocalChannel(std::unique_ptr<Service> service, std::unique_ptr<Log
       dispatcher_(*service_, suite, *log_),
       trace_(trace),
       seq_(seq) {
-  service_->notify = [this](ConnectionId, const MessageCodec& message, const void* request) {
-    notifications_.push_back({&message, {}});
-    Encoder out(notifications_.back().packed);
-    pack(message.request, request, out);
-    return true;
-  };
+  service_->post = [this](ConnectionId, std::string_view message) { return post(message); };
+}
+
+Service::Delivery LocalChannel::post(std::string_view message) {
+  is_full_ |= inbox_.bytes() > kMaxUnread;
+  if (is_full_) return Service::Delivery::full;
+  inbox_.put(message);
+  return Service::Delivery::sent;
 }
 
 LocalChannel::~LocalChannel() {
@@ -47,7 +46,8 @@ void LocalChannel::exchange(const MessageCodec& message, const void* request, vo
   ServedCall call(kTheConnection, dispatcher_.suite());
   call.set_incoming(std::move(given_));
   const Dispatcher::Outcome outcome = dispatcher_.run(find(message, marks), request, reply, call);
-  dispatcher_.record(message, request, marks, outcome);
+  dispatcher_.record(message, request, marks, outcome, outcome.begin);
+  dispatcher_.was_busy(outcome.end - outcome.begin);
   if (outcome.error) throw Error(*outcome.error);
   received_ = duplicate(call.outgoing());
 }
@@ -62,15 +62,12 @@ const Service::Entry& LocalChannel::find(const MessageCodec& message, const Mark
 }
 
 bool LocalChannel::next_notification(const MessageCodec& message, void* request, double) {
-  const auto is_wanted = [&](const Notification& notification) {
-    return notification.message->name == message.name;
-  };
-  const auto found = std::find_if(notifications_.begin(), notifications_.end(), is_wanted);
-  if (found == notifications_.end()) return false;
-  Decoder in(found->packed);
-  unpack(message.request, in, request, message.name);
-  notifications_.erase(found);
-  return true;
+  const bool taken = inbox_.take(message, request);
+  if (is_full_ && inbox_.empty()) {
+    is_full_ = false;
+    if (service_->on_drained) service_->on_drained(kTheConnection);
+  }
+  return taken;
 }
 
 LocalSuite::LocalSuite(Options options) : options_(std::move(options)) {}

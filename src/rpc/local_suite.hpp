@@ -2,7 +2,6 @@
 // encoded, and nothing else differs from a call over a socket.
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "rpc/dispatcher.hpp"
+#include "rpc/inbox.hpp"
 
 namespace animado::rpc {
 
@@ -31,10 +31,7 @@ class LocalChannel final : public Channel {
   bool next_notification(const MessageCodec& message, void* request, double timeout_s) override;
 
  private:
-  struct Notification {
-    const MessageCodec* message;
-    std::string packed;
-  };
+  Service::Delivery post(std::string_view message);
   const Service::Entry& find(const MessageCodec& message, const Marks& marks);
 
   std::unique_ptr<Service> service_;
@@ -43,7 +40,8 @@ class LocalChannel final : public Channel {
   const std::string& trace_;
   int64_t& seq_;
   UniqueFd given_, received_;
-  std::deque<Notification> notifications_;
+  Inbox inbox_;
+  bool is_full_ = false;
 };
 
 class LocalSuite final : public Suite {

@@ -14,9 +14,13 @@ namespace {
 constexpr std::chrono::milliseconds kFullLook{1};
 constexpr std::chrono::milliseconds kLogDelay{50};  // who follows a log does not notice
 constexpr int kLooksAtLast = 8;  // at who spoke last, for one at everybody: it costs as much as some of them
+constexpr size_t kMaxClient = 40;  // characters of a client's name
 constexpr size_t kMaxPeers = 256;  // a run has 10; below the usual limit of 1024 open files
 constexpr size_t kMaxUnsent = size_t{1}
                               << 20;  // bytes that a peer may leave unread before it is not served further
+// Peers that get their notifications between two looks for requests: a hundred watchers hold up nobody for
+// longer than some ten microseconds.
+constexpr size_t kNotifiedAtOnce = 4;
 
 }  // namespace
 
@@ -25,9 +29,10 @@ Server::Server(Dispatcher& dispatcher, std::filesystem::path socket)
       socket_(std::move(socket)),
       listener_(listen_at(socket_)),
       wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-  dispatcher_.service().notify = [this](ConnectionId id, const MessageCodec& message, const void* request) {
-    return notify(id, message, request);
+  dispatcher_.service().post = [this](ConnectionId id, std::string_view message) {
+    return post(id, message);
   };
+  dispatcher_.load = [this] { return load(); };
 }
 
 Server::~Server() {
@@ -61,9 +66,10 @@ void Server::sleep() {
 }
 
 bool Server::look() {
+  const bool notified = send_notifications();
   const bool everybody = last_ == nullptr || ++looks_ % kLooksAtLast == 0;
-  if (everybody) return wait(Clock::duration::zero());
-  if (!serve(*last_)) return false;
+  if (everybody) return wait(Clock::duration::zero()) || notified;
+  if (!serve(*last_)) return notified;
   if (last_->ending || Clock::now() - last_full_look_ > kFullLook) wait(Clock::duration::zero());
   return true;
 }
@@ -81,7 +87,7 @@ bool Server::wait(Clock::duration longest) {
                   {listener_.get(), POLLIN, 0},
                   {companion_ ? companion_->fd() : -1, POLLIN, 0}});
   for (const Peer& peer : peers_) {
-    const short events = peer.connection.unsent() > 0 ? POLLOUT : POLLIN;
+    const short events = peer.connection.unsent() > 0 && !peer.notified ? POLLOUT : POLLIN;
     polled_.push_back({peer.connection.fd(), events, 0});
   }
   const int ready = ::poll(polled_.data(), polled_.size(), timeout_ms);
@@ -106,21 +112,52 @@ void Server::accept_all() {
       dispatcher_.log().warn(fmt::format("a client was turned away: {} are connected", kMaxPeers));
     } else {
       const bool adopts = dispatcher_.service().find(ArrayAdopt::name) != nullptr;
-      peers_.emplace_back(std::move(fd), adopts ? Descriptors::taken : Descriptors::discarded, next_id_++);
+      Peer& peer =
+          peers_.emplace_back(std::move(fd), adopts ? Descriptors::taken : Descriptors::discarded, next_id_);
+      by_id_[next_id_++] = &peer;
     }
   }
 }
 
-bool Server::serve(Peer& peer) {
-  if (!peer.connection.flush()) peer.ending = true;
-  if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
-  const auto received = peer.connection.receive();
-  if (received == Connection::Received::closed) {
-    peer.ending = true;
-  } else {
-    serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
+// A few peers, in turn: the list is rotated behind those that were served.
+bool Server::send_notifications() {
+  if (notified_ == 0) return false;
+  size_t sent = 0;
+  auto peer = peers_.begin();
+  for (; peer != peers_.end() && sent < kNotifiedAtOnce; ++peer) {
+    if (!peer->notified) continue;
+    flush(*peer);
+    ++sent;
   }
-  if (received != Connection::Received::nothing) last_ = &peer;
+  peers_.splice(peers_.end(), peers_, peers_.begin(), peer);
+  return true;
+}
+
+// Sends what the peer takes, and tells when it has taken all that it left.
+void Server::flush(Peer& peer) {
+  peer.ending |= !peer.connection.flush();
+  notified_ -= std::exchange(peer.notified, false);
+  if (!peer.full || peer.ending || peer.connection.unsent() > 0) return;
+  peer.full = false;
+  if (dispatcher_.service().on_drained) dispatcher_.service().on_drained(peer.id);
+}
+
+bool Server::serve(Peer& peer) {
+  if (peer.connection.unsent() > 0) flush(peer);
+  if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
+  const bool received = receive(peer);
+  if (!peer.ending)
+    serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
+  if (!received) return false;
+  last_ = &peer;
+  dispatcher_.was_busy(Clock::now() - last_arrival_);
+  return true;
+}
+
+bool Server::receive(Peer& peer) {
+  const auto received = peer.connection.receive();
+  peer.ending |= received == Connection::Received::closed;
+  if (received == Connection::Received::bytes) last_arrival_ = Clock::now();
   return received != Connection::Received::nothing;
 }
 
@@ -141,6 +178,7 @@ void Server::serve_messages(Peer& peer) {
     send_error(peer, envelope, error);
     peer.ending = true;
   }
+  if (peer.connection.unsent() > 0) flush(peer);
 }
 
 void Server::answer(Peer& peer, const Envelope& envelope) {
@@ -172,21 +210,28 @@ const Service::Entry& Server::entry_for(const Peer& peer, std::string_view metho
 void Server::call(Peer& peer, const Envelope& envelope, const Service::Entry& entry, const void* request,
                   const Marks& marks) {
   const Value reply = entry.codec->reply.make();
-  ServedCall call(peer.id, dispatcher_.suite());
+  ServedCall call(peer.id, dispatcher_.suite(), peer.client);
   call.set_incoming(peer.connection.take_descriptor());
   const Dispatcher::Outcome outcome = dispatcher_.run(entry, request, reply.get(), call);
   if (outcome.error) {
     send_error(peer, envelope, *outcome.error);
   } else {
     if (!peer.greeted) greet(peer, *static_cast<const Hello::Request*>(request));
-    if (call.outgoing() >= 0) peer.connection.attach(call.outgoing());
+    if (call.outgoing() >= 0) {
+      flush(peer);  // a descriptor goes with the bytes that follow
+      peer.connection.attach(call.outgoing());
+    }
     send_result(peer, envelope, entry.codec->reply, reply.get());
   }
-  dispatcher_.record(*entry.codec, request, marks, outcome);
+  // Replies to requests that came together leave together; to count and log waits until they are on their
+  // way.
+  if (peer.connection.unread().empty() || call.outgoing() >= 0) flush(peer);
+  dispatcher_.record(*entry.codec, request, marks, outcome, last_arrival_);
 }
 
 void Server::greet(Peer& peer, const Hello::Request& hello) {
   peer.greeted = true;
+  peer.client = hello.client.substr(0, kMaxClient);
   peer.trace = hello.trace;
 }
 
@@ -204,14 +249,12 @@ void Server::send_result(Peer& peer, const Envelope& envelope, const Type& type,
         {Code::limit, fmt::format("the reply would hold more than {} bytes", kMaxMessageBytes),
          std::string(envelope.method), "name a shared array in the field out, or ask for less"});
   }
-  peer.ending |= !peer.connection.flush();
 }
 
 void Server::send_error(Peer& peer, const Envelope& envelope, const Error& error) {
   if (envelope.kind == Envelope::Kind::notification) return;
   Encoder out(peer.connection.out());
   write_error(envelope.id, error, out);
-  peer.ending |= !peer.connection.flush();
 }
 
 void Server::drop_ended() {
@@ -221,21 +264,34 @@ void Server::drop_ended() {
       continue;
     }
     if (last_ == &*peer) last_ = nullptr;
+    notified_ -= peer->notified;
+    by_id_.erase(peer->id);
     const ConnectionId id = peer->id;
     peer = peers_.erase(peer);
     if (dispatcher_.service().on_disconnect) dispatcher_.service().on_disconnect(id);
   }
 }
 
-bool Server::notify(ConnectionId id, const MessageCodec& message, const void* request) {
-  const auto peer =
-      std::find_if(peers_.begin(), peers_.end(), [&](const Peer& p) { return p.id == id && !p.ending; });
-  if (peer == peers_.end()) return false;
-  Encoder out(peer->connection.out());
-  begin_notification(message.name, out);
-  pack(message.request, request, out);
-  peer->ending = !peer->connection.flush() || peer->connection.unsent() > kMaxMessageBytes;
-  return !peer->ending;
+Service::Delivery Server::post(ConnectionId id, std::string_view message) {
+  const auto found = by_id_.find(id);
+  if (found == by_id_.end() || found->second->ending) return Service::Delivery::gone;
+  Peer& peer = *found->second;
+  if (!peer.full && peer.connection.unsent() > kMaxUnread) flush(peer);
+  peer.full |= peer.connection.unsent() > kMaxUnread;
+  if (peer.full) return Service::Delivery::full;
+  peer.connection.out() += message;
+  notified_ += !std::exchange(peer.notified, true);
+  return Service::Delivery::sent;
+}
+
+Dispatcher::Load Server::load() const {
+  Dispatcher::Load load{.connections = static_cast<int64_t>(peers_.size())};
+  for (const Peer& peer : peers_) {
+    pollfd entry{peer.connection.fd(), POLLIN, 0};
+    load.waiting += !peer.connection.unread().empty() || ::poll(&entry, 1, 0) > 0;
+    load.unsent_bytes += static_cast<int64_t>(peer.connection.unsent());
+  }
+  return load;
 }
 
 }  // namespace animado::rpc

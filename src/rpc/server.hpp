@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <list>
+#include <unordered_map>
 #include <vector>
 
 #include "rpc/connection.hpp"
@@ -44,15 +45,19 @@ class Server {
     Connection connection;
     ConnectionId id;
     bool greeted = false, ending = false;
-    std::string trace;
+    bool notified = false;  // and not sent yet
+    bool full = false;      // of notifications that it does not read
+    std::string client, trace;
   };
   using Peers = std::list<Peer>;
 
   void sleep();  // until something comes; writes the log out meanwhile
-  bool look();  // serves who spoke last, and now and then everybody; true when there was something to do
+  bool look();   // serves who spoke last, and now and then everybody; true when there was something to do
+  bool send_notifications();           // to a few; true when there were some
   bool wait(Clock::duration longest);  // waits for anything, then serves it
   void accept_all();
   bool serve(Peer& peer);  // true when something came
+  bool receive(Peer& peer);
   void serve_messages(Peer& peer);
   void answer(Peer& peer, const Envelope& envelope);
   const Service::Entry& entry_for(const Peer& peer, std::string_view method) const;
@@ -62,7 +67,9 @@ class Server {
   void send_result(Peer& peer, const Envelope& envelope, const Type& type, const void* reply);
   void send_error(Peer& peer, const Envelope& envelope, const Error& error);
   void drop_ended();
-  bool notify(ConnectionId id, const MessageCodec& message, const void* request);
+  Service::Delivery post(ConnectionId id, std::string_view message);
+  void flush(Peer& peer);
+  Dispatcher::Load load() const;
 
   Dispatcher& dispatcher_;
   std::filesystem::path socket_;
@@ -70,10 +77,12 @@ class Server {
   Companion* companion_ = nullptr;
   std::atomic<bool> stopping_{false};
   Peers peers_;
+  std::unordered_map<ConnectionId, Peer*> by_id_;
   Peer* last_ = nullptr;  // who spoke last: most likely to speak next
   ConnectionId next_id_ = 1;
   int looks_ = 0;
-  Clock::time_point last_full_look_, last_flush_;
+  size_t notified_ = 0;  // peers
+  Clock::time_point last_full_look_, last_arrival_, last_flush_;
   Patience patience_;
   std::vector<pollfd> polled_;
 };

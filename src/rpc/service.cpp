@@ -6,6 +6,8 @@
 #include <cassert>
 
 #include "base/error.hpp"
+#include "rpc/encoder.hpp"
+#include "rpc/wire.hpp"
 
 namespace animado::rpc {
 
@@ -17,6 +19,18 @@ const Service::Entry* Service::find(std::string_view method) const {
 void Service::add(const MessageCodec& codec, Handler handler) {
   const bool added = entries_.try_emplace(std::string(codec.name), Entry{&codec, std::move(handler)}).second;
   assert(added && "two handlers for one message");
+}
+
+bool Service::notify(ConnectionId connection, const MessageCodec& message, const void* request) const {
+  return post && post(connection, notification(message, request)) == Delivery::sent;
+}
+
+std::string notification(const MessageCodec& message, const void* request) {
+  std::string packed;
+  Encoder out(packed);
+  begin_notification(message.name, out);
+  pack(message.request, request, out);
+  return packed;
 }
 
 Array deliver(Call& call, const std::optional<Array>& out, std::vector<int64_t> shape,

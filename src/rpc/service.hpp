@@ -22,6 +22,7 @@ class Call {
  public:
   virtual ~Call() = default;
   virtual ConnectionId connection() const = 0;
+  virtual std::string_view client() const { return {}; }  // who calls, as it said in hello; may be empty
 
   // The numbers of an array of the request: inline ones, or the shared pages. Throws bad_shape when the array
   // holds fewer than its shape asks for, unknown_array when nobody created it.
@@ -31,6 +32,9 @@ class Call {
   virtual void send_descriptor(int fd) = 0;          // with the reply; the service keeps its own copy
   virtual UniqueFd take_descriptor() { return {}; }  // that came with the request, if any
 };
+
+// Bytes of notifications that a connection may leave unread, beside what the kernel keeps for it.
+inline constexpr size_t kMaxUnread = 256 << 10;
 
 class Service {
  public:
@@ -63,15 +67,28 @@ class Service {
 
   // Called when a connection ends, however it ends (leases end here).
   std::function<void(ConnectionId)> on_disconnect;
-  // How the service sends a notification to a connection; set by whoever serves it. False when the connection
-  // is gone.
-  std::function<bool(ConnectionId, const MessageCodec& message, const void* request)> notify;
+  // How a notification is sent: `message` is whole, as notification() packs it, and may go to many
+  // connections. Set by whoever serves. full: the connection has too much unread, and nothing was sent;
+  // on_drained is called when it has read all of it.
+  enum class Delivery { sent, full, gone };
+  std::function<Delivery(ConnectionId, std::string_view message)> post;
+  std::function<void(ConnectionId)> on_drained;
+
+  // Sends a notification to one connection. False when it is gone or full.
+  bool notify(ConnectionId connection, const MessageCodec& message, const void* request) const;
 
  private:
   void add(const MessageCodec& codec, Handler handler);
   std::string name_;
   std::map<std::string, Entry, std::less<>> entries_;
 };
+
+// A whole notification, to be posted.
+std::string notification(const MessageCodec& message, const void* request);
+template <class M>
+std::string notification(const typename M::Request& request) {
+  return notification(codec<M>(), &request);
+}
 
 // Puts `values` where the request asks for the result: into the shared array `out`, or inline. Returns the
 // reply's array.

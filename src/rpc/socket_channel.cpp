@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "rpc/common.hpp"
@@ -74,10 +75,16 @@ std::string SocketChannel::call_json(std::string_view method, std::string_view p
 
 std::string_view SocketChannel::transact(std::string_view method, std::string_view params) {
   const UniqueFd given = std::move(given_);
+  std::string_view result;
+  repeat(method, [&] { result = attempt(method, params, given.get()); });
+  return result;
+}
+
+void SocketChannel::repeat(std::string_view method, const std::function<void()>& attempt) {
   std::optional<Comeback> comeback;
   do {
     try {
-      return attempt(method, params, given.get());
+      return attempt();
     } catch (const Broken&) {
       connection_.reset();
       if (!comeback) comeback.emplace(suite_.options().directory, suite_.options().reconnect_s);
@@ -100,6 +107,7 @@ std::string_view SocketChannel::attempt(std::string_view method, std::string_vie
 }
 
 std::filesystem::path SocketChannel::find_socket() {
+  if (!socket_.empty()) return socket_;
   const auto& directory = suite_.options().directory;
   if (service_ == kWellKnown) return socket_path(directory, kWellKnown, 0);
   try {
@@ -116,7 +124,8 @@ void SocketChannel::connect() {
   UniqueFd fd = connect_to(find_socket());
   if (!fd) throw Broken{};
   connection_.emplace(std::move(fd), service_ == kWellKnown ? Descriptors::taken : Descriptors::discarded);
-  notifications_.clear();
+  inbox_.clear();
+  ++connections_;
   try {
     say_hello();
   } catch (const Error&) {
@@ -177,7 +186,7 @@ std::string_view SocketChannel::receive_reply(int64_t id, Clock::time_point dead
     Envelope envelope;
     std::string_view message;
     while (next_envelope(envelope, message)) {
-      if (envelope.kind == Envelope::Kind::notification) notifications_.emplace_back(message);
+      if (envelope.kind == Envelope::Kind::notification) inbox_.put(message);
       if (envelope.kind != Envelope::Kind::reply || envelope.id != id) continue;
       if (!envelope.error.empty()) throw read_error(envelope.error);
       return envelope.body;
@@ -202,29 +211,20 @@ void SocketChannel::give_up(std::string_view method) {
 
 bool SocketChannel::next_notification(const MessageCodec& message, void* request, double timeout_s) {
   const auto deadline = Clock::now() + seconds(timeout_s);
-  const auto take = [&] {
-    for (auto at = notifications_.begin(); at != notifications_.end(); ++at) {
-      Envelope envelope;
-      read_envelope(*at, envelope);
-      if (envelope.method != message.name) continue;
-      Decoder in(envelope.body);
-      unpack(message.request, in, request, message.name);
-      notifications_.erase(at);
-      return true;
-    }
-    return false;
-  };
   try {
-    if (!connection_) throw Broken{};
-    while (!take()) {
+    // A call may have made a new connection meanwhile, which nobody has asked to watch anything.
+    const int64_t before = std::exchange(listened_to_, connections_);
+    if (!connection_ || (before != 0 && before != connections_)) throw Broken{};
+    while (!inbox_.take(message, request)) {
       if (!(timeout_s > 0 ? receive(deadline) : receive_now())) return false;
       Envelope envelope;
       std::string_view text;
-      while (next_envelope(envelope, text)) notifications_.emplace_back(text);
+      while (next_envelope(envelope, text)) inbox_.put(text);
     }
     return true;
   } catch (const Broken&) {
     connection_.reset();
+    listened_to_ = 0;
     throw Error(Code::unavailable, fmt::format("the connection to {} was lost", service_), service_,
                 "ask to watch again");
   }

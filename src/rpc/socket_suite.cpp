@@ -8,6 +8,10 @@ SocketChannel& SocketSuite::channel(std::string_view service) {
   return channels_.try_emplace(std::string(service), *this, std::string(service)).first->second;
 }
 
+SocketChannel& SocketSuite::server(const std::string& service, const std::filesystem::path& socket) {
+  return servers_.try_emplace(socket, *this, service, socket).first->second;
+}
+
 SharedArrays& SocketSuite::arrays() {
   if (!arrays_) arrays_ = std::make_unique<SharedArrays>(channel(kWellKnown));
   return *arrays_;

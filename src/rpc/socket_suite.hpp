@@ -1,8 +1,8 @@
 // The other modules, each behind its socket.
 #pragma once
 
-#include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +12,7 @@
 #include "rpc/connection.hpp"
 #include "rpc/decoder.hpp"
 #include "rpc/endpoint.hpp"
+#include "rpc/inbox.hpp"
 #include "rpc/shared_array.hpp"
 #include "rpc/waiting.hpp"
 #include "rpc/wire.hpp"
@@ -20,11 +21,14 @@ namespace animado::rpc {
 
 class SocketSuite;
 
-// Calls one service. Finds it through interexpserv; when its connection breaks, finds it again and repeats
-// the request until reconnect_s is over. One thread at a time.
+// Calls one service. Finds it through interexpserv, and stays with that server as long as the connection
+// lasts; when it breaks, finds one again and repeats the request until reconnect_s is over. One thread at a
+// time.
 class SocketChannel final : public Channel {
  public:
-  SocketChannel(SocketSuite& suite, std::string service) : suite_(suite), service_(std::move(service)) {}
+  // socket: of the one server that is meant; empty for any that offers the service.
+  SocketChannel(SocketSuite& suite, std::string service, std::filesystem::path socket = {})
+      : suite_(suite), service_(std::move(service)), socket_(std::move(socket)) {}
 
   UniqueFd take_descriptor() override { return std::move(received_); }
   void give_descriptor(int fd) override;
@@ -39,14 +43,20 @@ class SocketChannel final : public Channel {
 
  protected:
   void exchange(const MessageCodec& message, const void* request, void* reply) override;
+  void exchange_all(const MessageCodec& message, std::span<const Exchange> exchanges) override;
   bool next_notification(const MessageCodec& message, void* request, double timeout_s) override;
 
  private:
   struct Broken {};  // the connection is gone; thrown inside only
 
+  // Until it is not Broken any more, or the time limit is over.
+  void repeat(std::string_view method, const std::function<void()>& attempt);
   // Sends [0, id, method, [params]] and returns the packed result, connecting and repeating as needed.
   std::string_view transact(std::string_view method, std::string_view params);
   std::string_view attempt(std::string_view method, std::string_view params, int given);
+  // From exchanges[done] on, which it moves forward: what is done stays done when the connection breaks.
+  void pipeline(const MessageCodec& message, std::span<const Exchange> exchanges, size_t& done);
+  bool take_reply(const MessageCodec& message, int64_t id, const Exchange& exchange);
   void connect();
   std::filesystem::path find_socket();
   void say_hello();
@@ -58,9 +68,12 @@ class SocketChannel final : public Channel {
   [[noreturn]] void give_up(std::string_view method);
 
   SocketSuite& suite_;
-  std::string service_, params_;
+  std::string service_;
+  std::filesystem::path socket_;
+  std::string params_;
   std::optional<Connection> connection_;
-  std::deque<std::string> notifications_;
+  Inbox inbox_;
+  int64_t connections_ = 0, listened_to_ = 0;  // how many there were; which of them notifications came over
   UniqueFd given_, received_;
   int64_t id_ = 0;
   Patience patience_;
@@ -79,6 +92,8 @@ class SocketSuite final : public Suite {
   explicit SocketSuite(Options options) : options_(std::move(options)) {}
 
   SocketChannel& channel(std::string_view service) override;
+  // One server of several that offer the service, as `list` tells its socket.
+  SocketChannel& server(const std::string& service, const std::filesystem::path& socket);
   SharedArrays& arrays() override;
   const Options& options() const { return options_; }
   Marks next_marks() { return {options_.trace, ++seq_}; }
@@ -87,6 +102,7 @@ class SocketSuite final : public Suite {
   Options options_;
   int64_t seq_ = 0;
   std::map<std::string, SocketChannel, std::less<>> channels_;
+  std::map<std::filesystem::path, SocketChannel> servers_;  // by socket
   std::unique_ptr<SharedArrays> arrays_;
 };
 
