@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,11 +51,13 @@ struct NameState {
 struct List {
   static constexpr auto name = "list"sv;
   static constexpr auto doc =
-      "The services that are registered now, by name. Whoever asks has interexpserv itself."sv;
+      "The servers that are registered now, by name; those of one name in the order in which they came. "
+      "Whoever "
+      "asks has interexpserv itself."sv;
   using Request = Nothing;
   struct Service {
     std::string name, socket, version, since;
-    int64_t pid = 0;
+    int64_t pid = 0, restarts = 0;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("name", s.name, "of the service");
@@ -62,6 +65,8 @@ struct List {
       field("version", s.version, "of the program");
       field("since", s.since, "when it registered: UTC, ISO 8601");
       field("pid", s.pid, "its process");
+      field("restarts", s.restarts,
+            "of the name: how often a server came in the place of one that had ended");
     }
   };
   struct Reply {
@@ -85,6 +90,17 @@ struct Changed {
   }
 };
 
+// Compare and set: the request is made only if every version is as expected.
+struct Expected {
+  std::string name;
+  int64_t version = 0;
+  template <class Self, class F>
+  static void fields(Self& s, F&& field) {
+    field("name", s.name, "any name, also one that the request does not change");
+    field("version", s.version, "as get told it; 0: the name is not there");
+  }
+};
+
 struct Define {
   static constexpr auto name = "define"sv;
   static constexpr auto doc =
@@ -92,7 +108,9 @@ struct Define {
       "What depends on them is "
       "compiled again and must still be right. Inside `ball.force` the prefix may be left out: `mass` is "
       "`ball.mass`. A name keeps the "
-      "type it has. Codes: syntax, type, unknown_name, cycle (lists the names), conflict (a live name), limit."sv;
+      "type it has. Codes: syntax, type, unknown_name, cycle (lists the names), conflict (a live name, or a "
+      "name "
+      "that has not the expected version: the error tells which it has and who made it), limit."sv;
   struct Definition {
     std::string name, text;
     template <class Self, class F>
@@ -103,9 +121,11 @@ struct Define {
   };
   struct Request {
     std::vector<Definition> definitions;
+    std::vector<Expected> expected = {};
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("definitions", s.definitions, "the transaction");
+      field("expected", s.expected, "what must still be so", kDefault);
     }
   };
   using Reply = Changed;
@@ -114,7 +134,15 @@ struct Define {
 struct Set {
   static constexpr auto name = "set"sv;
   static constexpr auto doc = "Defines one name, as define does."sv;
-  using Request = Define::Definition;
+  struct Request {
+    std::string name, text;
+    std::optional<int64_t> expected = {};
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      Define::Definition::fields(s, field);
+      field("expected", s.expected, "the version that the name must have; 0: it is not there");
+    }
+  };
   using Reply = Changed;
 };
 
@@ -124,9 +152,11 @@ struct Remove {
       "Takes names away, all or none. Code conflict when a name that stays needs one of them, unknown_name for one that never was."sv;
   struct Request {
     std::vector<std::string> names;
+    std::vector<Expected> expected = {};
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("names", s.names, "live ones too");
+      field("expected", s.expected, "what must still be so", kDefault);
     }
   };
   using Reply = Changed;
@@ -144,7 +174,7 @@ struct Get {
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("names", s.names, "when empty: all names within `prefix`", kDefault);
-      field("prefix", s.prefix, "a namespace: ball; empty means all", kDefault);
+      field("prefix", s.prefix, "a namespace: ball, ball. or ball.*; empty means all", kDefault);
     }
   };
   struct Reply {
@@ -237,24 +267,114 @@ struct Bind {
   using Reply = Changed;
 };
 
-struct Watch {
-  static constexpr auto name = "watch"sv;
+struct History {
+  static constexpr auto name = "history"sv;
   static constexpr auto doc =
-      "From now on this connection gets a notification `changed` for each change of a name within a prefix. "
-      "What lives in shared arrays "
-      "changes without notice: get it as often as it is wanted."sv;
+      "What a name was made to stand for: its last 16 revisions, the present one included. A change of what "
+      "it depends on is none of its own. Code unknown_name."sv;
+  struct Revision {
+    int64_t version = 0;
+    std::string time, who, text;
+    Kind kind = Kind::definition;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("version", s.version, "of the registry, which the change made");
+      field("time", s.time, "UTC, ISO 8601");
+      field("who", s.who, "client, as it said in hello");
+      field("text", s.text, "the expression; of a live name its array");
+      field("kind", s.kind, "definition, live or removed");
+    }
+  };
+  struct Request {
+    std::string name;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("name", s.name, "of a name that is there, or was");
+    }
+  };
+  struct Reply {
+    std::vector<Revision> revisions;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("revisions", s.revisions, "oldest first");
+    }
+  };
+};
+
+struct Snapshot {
+  static constexpr auto name = "snapshot"sv;
+  static constexpr auto doc =
+      "All definitions within a prefix at one instant; live names have none. Code limit when a message "
+      "cannot "
+      "hold them: take one namespace after the other."sv;
   struct Request {
     std::string prefix;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
-      field("prefix", s.prefix, "a name or a namespace: ball; empty means all", kDefault);
+      field("prefix", s.prefix, "a namespace: ball, ball. or ball.*; empty means all", kDefault);
     }
   };
   struct Reply {
     int64_t version = 0;
+    std::vector<std::string> names, texts;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("version", s.version, "of the registry");
+      field("names", s.names, "in order");
+      field("texts", s.texts, "the expression of each");
+    }
+  };
+};
+
+struct Restore {
+  static constexpr auto name = "restore"sv;
+  static constexpr auto doc =
+      "Makes the definitions within a prefix exactly these, in one transaction: what differs is defined "
+      "anew, "
+      "what is not among them is removed, live names stay. Codes: as define and remove."sv;
+  struct Request {
+    std::vector<std::string> names, texts;
+    std::string prefix;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("names", s.names, "of a snapshot");
+      field("texts", s.texts, "the expression of each");
+      field("prefix", s.prefix, "of that snapshot", kDefault);
+    }
+  };
+  struct Reply {
+    int64_t version = 0, changed = 0;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("version", s.version, "of the registry after the request");
+      field("changed", s.changed, "how many names changed, dependents included");
+    }
+  };
+};
+
+struct Watch {
+  static constexpr auto name = "watch"sv;
+  static constexpr auto doc =
+      "From now on this connection gets a notification `changed` for each change of a name within a prefix: "
+      "every one, in order. A connection that leaves 256 KiB of them unread is told no more until it has "
+      "read "
+      "them, and then gets `fell_behind`; nobody else waits for it. Of live names it is told when they are "
+      "bound and removed. Their values change in shared memory, of which interexpserv hears nothing: get "
+      "them "
+      "as often as they are wanted."sv;
+  struct Request {
+    std::string prefix;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("prefix", s.prefix, "a name or a namespace: ball, ball. or ball.*; empty means all", kDefault);
+    }
+  };
+  struct Reply {
+    int64_t version = 0, sequence = 0;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("version", s.version, "changes after this one are told");
+      field("sequence", s.sequence, "of the last change until now; 0 when there was none");
     }
   };
 };
@@ -266,12 +386,39 @@ struct Unwatch {
   using Reply = Nothing;
 };
 
-// The notification of a watch: sent by interexpserv, answered by nobody.
+// The notifications of a watch: sent by interexpserv, answered by nobody.
 struct NameChanged {
   static constexpr auto name = "changed"sv;
   static constexpr auto doc =
       "A name that is watched has changed, by itself or through what it depends on."sv;
-  using Request = NameState;
+  struct Request : NameState {
+    int64_t sequence = 0;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("sequence", s.sequence,
+            "number of the change since interexpserv started: each changed name is one, watched or not");
+      NameState::fields(s, field);
+    }
+  };
+  using Reply = Nothing;
+};
+
+struct FellBehind {
+  static constexpr auto name = "fell_behind"sv;
+  static constexpr auto doc =
+      "This connection did not read its notifications in time, and some were not sent. `changes` since "
+      "`since` tells how the names are now; what is told from here on counts where its version is beyond "
+      "that reply's."sv;
+  struct Request {
+    int64_t first_lost = 0, sequence = 0, since = 0, version = 0;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("first_lost", s.first_lost, "sequence of the first change that was not sent");
+      field("sequence", s.sequence, "of the last one: what comes after it is sent again");
+      field("since", s.since, "the version up to which everything was told");
+      field("version", s.version, "of the registry now");
+    }
+  };
   using Reply = Nothing;
 };
 
@@ -309,9 +456,9 @@ struct ArrayList {
   };
 };
 
-using Messages =
-    std::tuple<rpc::Register, rpc::Lookup, List, Define, Set, Remove, Get, Evaluate, Changes, Bind, Watch,
-               Unwatch, rpc::ArrayCreate, rpc::ArrayOpen, rpc::ArrayAdopt, ArrayRelease, ArrayList>;
-using Notifications = std::tuple<NameChanged>;
+using Messages = std::tuple<rpc::Register, rpc::Lookup, List, Define, Set, Remove, Get, Evaluate, Changes,
+                            History, Snapshot, Restore, Bind, Watch, Unwatch, rpc::ArrayCreate,
+                            rpc::ArrayOpen, rpc::ArrayAdopt, ArrayRelease, ArrayList>;
+using Notifications = std::tuple<NameChanged, FellBehind>;
 
 }  // namespace animado::interexpserv

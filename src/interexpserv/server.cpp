@@ -5,131 +5,33 @@
 #include <fmt/chrono.h>
 
 #include <chrono>
-#include <set>
-#include <thread>
 
-#include "base/fold.hpp"
-#include "base/nearest_name.hpp"
 #include "interexpserv/leases.hpp"
 #include "interexpserv/names.hpp"
 #include "interexpserv/protocol.hpp"
-#include "interexpserv/published.hpp"
+#include "interexpserv/server.arrays.hpp"
 #include "interexpserv/store.hpp"
-#include "rpc/shared_array.hpp"
+#include "interexpserv/watches.hpp"
 
 namespace animado::interexpserv {
 namespace {
 
 using rpc::Call;
-using rpc::ConnectionId;
-using rpc::SharedArray;
 
-constexpr size_t kMaxArrays = 512;  // each holds a descriptor, and a process may open 1024
-// How long an array may be under way. Writing one takes microseconds; a writer that was put aside for longer
-// than this is dead, and everybody else waits.
-constexpr std::chrono::milliseconds kMaxWait(100);
-
-std::string utc_now() {
-  return fmt::format("{:%FT%TZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+std::string utc_text(int64_t time_us) {
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(static_cast<std::time_t>(time_us / 1'000'000)));
 }
 
-// The shared arrays, each held for the connection that made it or handed it back last.
-class ArrayTable {
- public:
-  const SharedArray& create(const std::string& name, const std::vector<int64_t>& shape, ConnectionId owner) {
-    if (name.empty())
-      throw Error(Code::bad_params, "an array needs a name", "name", "choose one that is used once");
-    if (const auto known = arrays_.find(name); known != arrays_.end()) {
-      if (known->second.array.shape() != shape) {
-        throw Error(Code::conflict,
-                    fmt::format("there is an array `{}` of another shape ({})", name,
-                                fmt::join(known->second.array.shape(), ", ")),
-                    name, "use a name once, or release that array first");
-      }
-      known->second.owner = owner;
-      return known->second.array;
-    }
-    return add(name, SharedArray(SharedArray::make(name, shape), shape, name), owner);
-  }
+int64_t now_us() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+}
 
-  void adopt(const std::string& name, const std::vector<int64_t>& shape, rpc::UniqueFd fd,
-             ConnectionId owner) {
-    if (!fd)
-      throw Error(Code::bad_params, "no descriptor came with the request", name, "send it with SCM_RIGHTS");
-    const auto known = arrays_.find(name);
-    if (known == arrays_.end()) {
-      add(name, SharedArray(std::move(fd), shape, name), owner);
-    } else {
-      known->second.owner = owner;  // its former connection ended, and nobody has noticed yet
-    }
-  }
-
-  const SharedArray& find(const std::string& name) const {
-    const auto known = arrays_.find(name);
-    if (known != arrays_.end()) return known->second.array;
-    std::vector<std::string> names;
-    for (const auto& [other, entry] : arrays_) names.push_back(other);
-    const std::string near = nearest_name(name, names);
-    throw Error(Code::unknown_array, fmt::format("no shared array `{}`", name), name,
-                near.empty() ? "create it; the arrays of a program that ended are gone"
-                             : fmt::format("did you mean `{}`?", near));
-  }
-
-  void release(const std::string& name) { arrays_.erase(name); }
-  void end(ConnectionId owner) {
-    std::erase_if(arrays_, [&](const auto& entry) { return entry.second.owner == owner; });
-  }
-  ArrayList::Reply list() const {
-    ArrayList::Reply reply;
-    for (const auto& [name, entry] : arrays_) reply.arrays.push_back({name, entry.array.shape()});
-    return reply;
-  }
-
- private:
-  struct Entry {
-    SharedArray array;
-    ConnectionId owner;
-  };
-
-  const SharedArray& add(const std::string& name, SharedArray array, ConnectionId owner) {
-    if (arrays_.size() == kMaxArrays) {
-      throw Error(Code::limit, fmt::format("there are {} shared arrays already", kMaxArrays), name,
-                  "release some, or put several into one");
-    }
-    return arrays_.emplace(name, Entry{std::move(array), owner}).first->second.array;
-  }
-
-  std::map<std::string, Entry, std::less<>> arrays_;
-};
-
-// One consistent picture of each array that a request reads, taken when it is first needed.
-class Pictures {
- public:
-  explicit Pictures(const ArrayTable& arrays) : arrays_(arrays) {}
-
-  std::span<const double> operator()(const std::string& name) {
-    const auto [at, is_new] = taken_.try_emplace(name);
-    if (is_new) at->second = take(name);
-    return at->second;
-  }
-
- private:
-  std::vector<double> take(const std::string& name) const {
-    const std::span<const double> array = arrays_.find(name).values();
-    std::vector<double> copy(array.size());
-    const auto deadline = std::chrono::steady_clock::now() + kMaxWait;
-    do {
-      if (array.empty() || read_published(array, copy)) return copy;
-      std::this_thread::yield();
-    } while (std::chrono::steady_clock::now() < deadline);
-    throw Error(Code::unavailable, fmt::format("`{}` is being written all the time", name), name,
-                "ask again; if its writer was killed, restart it");
-  }
-
-  const ArrayTable& arrays_;
-  std::map<std::string, std::vector<double>> taken_;
-};
+Terms terms_of(const Call& call, std::span<const Expected> expected = {}) {
+  Terms terms{std::string(call.client()), now_us(), {}};
+  for (const auto& [name, version] : expected) terms.expected.push_back({name, version});
+  return terms;
+}
 
 NameState state_of(const NameRow& row) {
   return {row.name, row.text, static_cast<Kind>(row.kind), row.type, row.version, {}};
@@ -142,45 +44,82 @@ std::vector<double> numbers_of(const Value& value) {
 class Registry {
  public:
   Registry(rpc::Service& service, const std::filesystem::path& file) : service_(service) {
+    service.on_drained = [this](ConnectionId connection) { tell_what_was_lost(connection); };
     if (file.empty()) return;
     store_ = std::make_unique<Store>(file);
-    names_ = Names([this](int64_t version, std::span<const NameRow> rows) { store_->commit(version, rows); });
-    const Store::Contents contents = store_->load();
-    names_.restore(contents.rows, contents.version);
+    names_ = Names([this](std::span<const NamedRevision> revisions) { store_->commit(revisions); });
+    names_.load(store_->load());
   }
 
   void enter(const rpc::Register::Request& r, ConnectionId connection) {
-    leases_.grant({r.name, r.socket, r.version, utc_now(), r.pid, connection});
+    leases_.grant({r.name, r.socket, r.version, utc_text(now_us()), r.pid, connection});
   }
 
-  rpc::Lookup::Reply lookup(const rpc::Lookup::Request& r) const {
-    const Lease& lease = leases_.find(r.name);
+  rpc::Lookup::Reply lookup(const rpc::Lookup::Request& r) {
+    const Lease& lease = leases_.take_turn(r.name);
     return {lease.socket, lease.version, lease.pid};
   }
 
   List::Reply list() const {
     List::Reply reply;
     for (const Lease& l : leases_.list())
-      reply.services.push_back({l.name, l.socket, l.version, l.since, l.pid});
+      reply.services.push_back({l.name, l.socket, l.version, l.since, l.pid, l.restarts});
     return reply;
   }
 
-  Changed define(const Define::Request& r) {
+  Changed define(const Define::Request& r, const Call& call) {
     std::vector<NamedText> definitions;
     for (const auto& [name, text] : r.definitions) definitions.push_back({name, text});
-    return tell(names_.define(definitions));
+    return tell(names_.define(definitions, terms_of(call, r.expected)));
   }
 
-  Changed set(const Set::Request& r) { return tell(names_.define(std::vector<NamedText>{{r.name, r.text}})); }
-  Changed remove(const Remove::Request& r) { return tell(names_.remove(r.names)); }
+  Changed set(const Set::Request& r, const Call& call) {
+    Terms terms = terms_of(call);
+    if (r.expected) terms.expected = {{r.name, *r.expected}};
+    return tell(names_.define(std::array{NamedText{r.name, r.text}}, terms));
+  }
 
-  Changed bind(const Bind::Request& r) {
+  Changed remove(const Remove::Request& r, const Call& call) {
+    return tell(names_.remove(r.names, terms_of(call, r.expected)));
+  }
+
+  Changed bind(const Bind::Request& r, const Call& call) {
     std::vector<NamedBinding> bindings;
     for (const Bind::Bound& bound : r.names) {
       refuse_outside(bound);
       bindings.push_back({bound.name, bound.type, {bound.array, bound.element, bound.stride}});
     }
-    return tell(names_.bind(bindings));
+    return tell(names_.bind(bindings, terms_of(call)));
+  }
+
+  History::Reply history(const History::Request& r) const {
+    History::Reply reply;
+    for (const Revision& revision : names_.history(r.name)) {
+      reply.revisions.push_back({revision.version, utc_text(revision.time_us), revision.who,
+                                 revision.text.empty() ? revision.binding.array : revision.text,
+                                 static_cast<Kind>(revision.kind)});
+    }
+    return reply;
+  }
+
+  Snapshot::Reply snapshot(const Snapshot::Request& r) const {
+    Snapshot::Reply reply{names_.version(), {}, {}};
+    for (auto& [name, text] : names_.definitions(r.prefix)) {
+      reply.names.push_back(std::move(name));
+      reply.texts.push_back(std::move(text));
+    }
+    return reply;
+  }
+
+  Restore::Reply restore(const Restore::Request& r, const Call& call) {
+    if (r.names.size() != r.texts.size()) {
+      throw Error(Code::bad_params, fmt::format("{} names and {} texts", r.names.size(), r.texts.size()),
+                  "restore.texts", "give each name its expression, as snapshot does");
+    }
+    std::vector<NamedText> definitions;
+    for (size_t i = 0; i < r.names.size(); ++i) definitions.push_back({r.names[i], r.texts[i]});
+    const Changed done = tell(names_.replace(definitions, folded_prefix(r.prefix), terms_of(call)));
+    return {done.version, static_cast<int64_t>(done.changed.size())};
   }
 
   Get::Reply get(const Get::Request& r) const {
@@ -208,18 +147,18 @@ class Registry {
   }
 
   Watch::Reply watch(const Watch::Request& r, ConnectionId connection) {
-    watches_[connection].insert(fold(r.prefix));
-    return {names_.version()};
+    watches_.add(connection, folded_prefix(r.prefix));
+    return {names_.version(), watches_.sequence()};
   }
 
   void unwatch(const Unwatch::Request& r, ConnectionId connection) {
-    watches_[connection].erase(fold(r.prefix));
+    watches_.remove(connection, folded_prefix(r.prefix));
   }
 
   void end(ConnectionId connection) {
     leases_.end(connection);
     arrays_.end(connection);
-    watches_.erase(connection);
+    watches_.end(connection);
   }
 
   ArrayTable& arrays() { return arrays_; }
@@ -248,20 +187,28 @@ class Registry {
     return state;
   }
 
-  // Notifies whoever watches a name that changed, once a name.
+  // Tells whoever watches a name that changed. Its value is computed, and the message packed, for the first
+  // of them; the others get the same bytes.
   Changed tell(const std::vector<NameRow>& rows) {
     Changed reply{names_.version(), {}};
     Pictures pictures(arrays_);
     for (const NameRow& row : rows) {
       reply.changed.push_back(row.name);
-      for (const auto& [connection, prefixes] : watches_) {
-        const auto covers = [&](const std::string& prefix) { return is_within(row.name, prefix); };
-        if (std::none_of(prefixes.begin(), prefixes.end(), covers)) continue;
-        const NameState state = with_value(row, pictures);
-        service_.notify(connection, rpc::codec<NameChanged>(), &state);
-      }
+      std::string message;
+      watches_.tell(row.name, row.version, [&](ConnectionId connection) {
+        if (message.empty())
+          message = rpc::notification<NameChanged>({with_value(row, pictures), watches_.sequence()});
+        return service_.post(connection, message) == rpc::Service::Delivery::sent;
+      });
     }
     return reply;
+  }
+
+  void tell_what_was_lost(ConnectionId connection) {
+    const auto gap = watches_.caught_up(connection);
+    if (!gap) return;
+    const FellBehind::Request lost{gap->first_lost, watches_.sequence(), gap->since, names_.version()};
+    service_.notify(connection, rpc::codec<FellBehind>(), &lost);
   }
 
   rpc::Service& service_;
@@ -269,7 +216,7 @@ class Registry {
   Names names_;
   Leases leases_;
   ArrayTable arrays_;
-  std::map<ConnectionId, std::set<std::string>> watches_;
+  Watches watches_;
 };
 
 void add_services(rpc::Service& service, const std::shared_ptr<Registry>& r) {
@@ -283,13 +230,16 @@ void add_services(rpc::Service& service, const std::shared_ptr<Registry>& r) {
 }
 
 void add_names(rpc::Service& service, const std::shared_ptr<Registry>& r) {
-  service.on<Define>([r](const auto& request) { return r->define(request); })
-      .on<Set>([r](const auto& request) { return r->set(request); })
-      .on<Remove>([r](const auto& request) { return r->remove(request); })
+  service.on<Define>([r](const auto& request, Call& call) { return r->define(request, call); })
+      .on<Set>([r](const auto& request, Call& call) { return r->set(request, call); })
+      .on<Remove>([r](const auto& request, Call& call) { return r->remove(request, call); })
       .on<Get>([r](const auto& request) { return r->get(request); })
       .on<Evaluate>([r](const auto& request) { return r->evaluate(request); })
       .on<Changes>([r](const auto& request) { return r->changes(request); })
-      .on<Bind>([r](const auto& request) { return r->bind(request); })
+      .on<History>([r](const auto& request) { return r->history(request); })
+      .on<Snapshot>([r](const auto& request) { return r->snapshot(request); })
+      .on<Restore>([r](const auto& request, Call& call) { return r->restore(request, call); })
+      .on<Bind>([r](const auto& request, Call& call) { return r->bind(request, call); })
       .on<Watch>([r](const auto& request, Call& call) { return r->watch(request, call.connection()); })
       .on<Unwatch>([r](const auto& request, Call& call) {
         r->unwatch(request, call.connection());

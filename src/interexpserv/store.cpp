@@ -5,27 +5,30 @@
 
 #include <array>
 
+#include "base/error.hpp"
+
 namespace animado::interexpserv {
 namespace {
 
 constexpr int kBusyTimeout_ms = 2000;  // a reader such as the sqlite3 shell may hold the file for a moment
-constexpr int64_t kSchemaVersion = 1;
+constexpr int64_t kSchemaVersion = 2;
+constexpr size_t kMostPending = 1000;  // revisions; they take SQLite some milliseconds, while others wait
+constexpr int64_t kRoomForOld =
+    200'000;  // rows beyond twice what was needed when old ones were forgotten last
 
 constexpr const char* kSchema = R"(
-  CREATE TABLE IF NOT EXISTS names (
-    name TEXT PRIMARY KEY, kind TEXT NOT NULL, text TEXT NOT NULL, type TEXT NOT NULL,
-    array TEXT NOT NULL, element INTEGER NOT NULL, stride INTEGER NOT NULL, version INTEGER NOT NULL) WITHOUT ROWID;
-  CREATE TABLE IF NOT EXISTS log (
+  CREATE TABLE IF NOT EXISTS revisions (
     version INTEGER NOT NULL, name TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, type TEXT NOT NULL,
-    array TEXT NOT NULL, element INTEGER NOT NULL, stride INTEGER NOT NULL, PRIMARY KEY (version, name)) WITHOUT ROWID;
+    array TEXT NOT NULL, element INTEGER NOT NULL, stride INTEGER NOT NULL, time_us INTEGER NOT NULL,
+    who TEXT NOT NULL, PRIMARY KEY (version, name)) WITHOUT ROWID;
 )";
 
 constexpr std::array<std::string_view, 3> kKinds = {"definition", "binding", "removed"};
 constexpr std::array<Type, 3> kTypes = {Type::boolean, Type::scalar, Type::vector};
 
-NameRow::Kind kind_named(std::string_view name) {
+Revision::Kind kind_named(std::string_view name) {
   const auto at = std::find(kKinds.begin(), kKinds.end(), name);
-  return static_cast<NameRow::Kind>(at - kKinds.begin());
+  return static_cast<Revision::Kind>(at - kKinds.begin());
 }
 
 Type type_named(std::string_view name) {
@@ -43,53 +46,56 @@ void Store::Close::operator()(sqlite3* database) const {
 // A prepared statement: parameters are bound in order, columns are read in order.
 class Store::Statement {
  public:
-  Statement(const Store& store, const char* sql) : store_(store) {
-    if (sqlite3_prepare_v2(store.database_.get(), sql, -1, &statement_, nullptr) != SQLITE_OK)
+  Statement(const Store& store, const std::string& sql) : store_(store) {
+    if (sqlite3_prepare_v2(store.database_.get(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK)
       store.fail("read");
   }
   ~Statement() { sqlite3_finalize(statement_); }
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
+  // The texts of a revision stay where they are until it is written.
+  void write(const NamedRevision& named) {
+    const Revision& r = named.revision;
+    parameter_ = 0;
+    put(r.version).put(named.name).put(kKinds[static_cast<size_t>(r.kind)]).put(r.text).put(name_of(r.type));
+    put(r.binding.array).put(r.binding.element).put(r.binding.stride).put(r.time_us).put(r.who);
+    const bool written = sqlite3_step(statement_) == SQLITE_DONE;
+    sqlite3_reset(statement_);
+    if (!written) store_.fail("write");
+  }
+
+  bool step() {
+    const int status = sqlite3_step(statement_);
+    if (status != SQLITE_ROW && status != SQLITE_DONE) store_.fail("read");
+    return status == SQLITE_ROW;
+  }
+  int64_t number(int column) const { return sqlite3_column_int64(statement_, column); }
+  NamedRevision revision() const {
+    return {text(1),
+            {kind_named(text(2)),
+             type_named(text(4)),
+             text(3),
+             {text(5), number(6), number(7)},
+             number(0),
+             number(8),
+             text(9)}};
+  }
+
+ private:
   Statement& put(std::string_view text) {
-    sqlite3_bind_text(statement_, ++parameter_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+    sqlite3_bind_text(statement_, ++parameter_, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
     return *this;
   }
   Statement& put(int64_t number) {
     sqlite3_bind_int64(statement_, ++parameter_, number);
     return *this;
   }
-  Statement& put(const NameRow& row) {
-    put(row.name).put(kKinds[static_cast<size_t>(row.kind)]).put(row.text).put(name_of(row.type));
-    return put(row.binding.array).put(row.binding.element).put(row.binding.stride).put(row.version);
-  }
-
-  bool step() {
-    const int status = sqlite3_step(statement_);
-    if (status != SQLITE_ROW && status != SQLITE_DONE) store_.fail("write");
-    return status == SQLITE_ROW;
-  }
-  void run_again() {
-    step();
-    sqlite3_reset(statement_);
-    parameter_ = 0;
-  }
-
   std::string text(int column) const {
     const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
     return bytes ? std::string(bytes, static_cast<size_t>(sqlite3_column_bytes(statement_, column))) : "";
   }
-  int64_t number(int column) const { return sqlite3_column_int64(statement_, column); }
-  NameRow row() const {
-    return {kind_named(text(1)),
-            text(0),
-            text(2),
-            type_named(text(3)),
-            {text(4), number(5), number(6)},
-            number(7)};
-  }
 
- private:
   const Store& store_;
   sqlite3_stmt* statement_ = nullptr;
   int parameter_ = 0;
@@ -101,54 +107,78 @@ Store::Store(const std::filesystem::path& file) : file_(file) {
   database_.reset(database);
   if (status != SQLITE_OK) fail("open");
   sqlite3_busy_timeout(database, kBusyTimeout_ms);
-  // Kept consistent by the log when the process is killed; the last moments may be lost with the power, never
-  // the file.
   execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
-  Statement version(*this, "PRAGMA user_version");
-  version.step();
-  if (version.number(0) > kSchemaVersion) {
-    throw Error(Code::refused, fmt::format("written by a newer version ({})", version.number(0)),
-                file.string(), "use that version, or another file");
+  if (const int64_t version = number("PRAGMA user_version"); version != 0 && version != kSchemaVersion) {
+    throw Error(Code::refused, fmt::format("written by another version ({})", version), file.string(),
+                "use that version, or another file");
   }
   execute(kSchema);
   execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion).c_str());
+  insert_ = std::make_unique<Statement>(
+      *this, "REPLACE INTO revisions VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)");
+  journal_ = std::make_unique<Journal>(file.native() + ".journal");
+  pending_ = journal_->read();
+  settle();
+  journal_->clear();  // of what was left unfinished
+  forget_oldest();
 }
 
-Store::Contents Store::load() {
-  Contents contents;
-  Statement rows(*this,
-                 "SELECT name, kind, text, type, array, element, stride, version FROM names ORDER BY name");
-  while (rows.step()) contents.rows.push_back(rows.row());
-  Statement version(*this, "SELECT coalesce(max(version), 0) FROM log");
-  version.step();
-  contents.version = version.number(0);
-  return contents;
+Store::~Store() {
+  try {
+    settle();
+  } catch (const Error&) {  // the journal keeps what SQLite does not take
+  }
 }
 
-void Store::commit(int64_t version, std::span<const NameRow> rows) {
+std::vector<NamedRevision> Store::load() {
+  settle();
+  std::vector<NamedRevision> revisions;
+  Statement all(*this, "SELECT * FROM revisions ORDER BY version, name");
+  while (all.step()) revisions.push_back(all.revision());
+  return revisions;
+}
+
+void Store::commit(std::span<const NamedRevision> transaction) {
+  if (pending_.size() >= kMostPending || transaction.size() >= kMostPending) settle();
+  if (transaction.size() >= kMostPending) return insert(transaction);
+  journal_->append(transaction);
+  pending_.insert(pending_.end(), transaction.begin(), transaction.end());
+}
+
+void Store::settle() {
+  if (pending_.empty()) return;
+  insert(pending_);
+  journal_->clear();
+  pending_.clear();
+  if (rows_ > 2 * rows_after_forgetting_ + kRoomForOld) forget_oldest();
+}
+
+void Store::insert(std::span<const NamedRevision> revisions) {
   execute("BEGIN IMMEDIATE");
   try {
-    Statement now(*this, "REPLACE INTO names VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)");
-    Statement log(*this, "INSERT INTO log VALUES (?8, ?1, ?2, ?3, ?4, ?5, ?6, ?7)");
-    for (NameRow row : rows) {
-      row.version = version;
-      now.put(row).run_again();
-      log.put(row).run_again();
-    }
+    for (const NamedRevision& revision : revisions) insert_->write(revision);
     execute("COMMIT");
   } catch (const Error&) {
     sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
     throw;
   }
+  rows_ += static_cast<int64_t>(revisions.size());
 }
 
-std::vector<NameRow> Store::log() {
-  std::vector<NameRow> rows;
-  Statement all(
-      *this,
-      "SELECT name, kind, text, type, array, element, stride, version FROM log ORDER BY version, name");
-  while (all.step()) rows.push_back(all.row());
-  return rows;
+void Store::forget_oldest() {
+  execute(
+      fmt::format("DELETE FROM revisions WHERE (version, name) IN (SELECT version, name FROM ("
+                  "SELECT version, name, row_number() OVER (PARTITION BY name ORDER BY version DESC) AS age "
+                  "FROM revisions) WHERE age > {})",
+                  kRevisionsKept)
+          .c_str());
+  rows_ = rows_after_forgetting_ = number("SELECT count(*) FROM revisions");
+}
+
+int64_t Store::number(const char* query) {
+  Statement statement(*this, query);
+  statement.step();
+  return statement.number(0);
 }
 
 void Store::execute(const char* sql) {

@@ -1,8 +1,11 @@
-// The names on disk: an SQLite file with a write-ahead log. A transaction that was acknowledged is there
-// after the process was killed at any point; one that was not is there whole or not at all.
+// The names on disk. What was acknowledged is there after the process was killed at any point; a transaction
+// that was not is there whole or not at all. When the power fails, what came since the last checkpoint of the
+// SQLite file may be lost, never the file.
 //
-//   names  the rows as they are now, one a name; removed ones too
-//   log    every change ever made, in order: version, name, kind, text
+// A commit is appended to a journal beside the file (FILE.journal), which takes a microsecond; a thousand of
+// them become one transaction of SQLite.
+//
+//   revisions  what names were made to stand for, in order; of each name the last kRevisionsKept at least
 #pragma once
 
 #include <filesystem>
@@ -10,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "interexpserv/names.hpp"
+#include "interexpserv/journal.hpp"
 
 struct sqlite3;
 
@@ -18,30 +21,34 @@ namespace animado::interexpserv {
 
 class Store {
  public:
-  // Opens or makes the file. Throws refused when it is no store, or one of a newer version; unavailable when
-  // it cannot be opened.
+  // Opens or makes the file, and takes over what a killed process left in the journal. Throws refused when it
+  // is no store, or one of another version; unavailable when it cannot be opened; conflict when another
+  // process has it.
   explicit Store(const std::filesystem::path& file);
+  ~Store();
 
-  struct Contents {
-    std::vector<NameRow> rows;  // by name
-    int64_t version = 0;
-  };
-  Contents load();
+  std::vector<NamedRevision> load();  // in the order of their versions
 
-  void commit(int64_t version, std::span<const NameRow> rows);  // one transaction; throws unavailable
-
-  std::vector<NameRow> log();  // in order
+  void commit(std::span<const NamedRevision> transaction);  // throws unavailable
 
  private:
   struct Close {
     void operator()(sqlite3* database) const;
   };
   class Statement;
+  void settle();  // what is pending becomes part of the SQLite file
+  void insert(std::span<const NamedRevision> revisions);
+  void forget_oldest();
+  int64_t number(const char* query);
   void execute(const char* sql);
   [[noreturn]] void fail(std::string_view doing) const;
 
   std::filesystem::path file_;
   std::unique_ptr<sqlite3, Close> database_;
+  std::unique_ptr<Statement> insert_;
+  std::unique_ptr<Journal> journal_;
+  std::vector<NamedRevision> pending_;  // what the journal holds
+  int64_t rows_ = 0, rows_after_forgetting_ = 0;
 };
 
 }  // namespace animado::interexpserv

@@ -1,6 +1,7 @@
 // src/interexpserv/names.cpp: all or nothing, dependents follow, cycles are listed.
 #include "interexpserv/names.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -103,6 +104,15 @@ TEST(Names, KeepTheirType) {
   remove(names, {"ball.weight"});
   define(names, {{"ball.weight", "3"}});
   EXPECT_EQ(names.row("ball.weight").type, Type::scalar);
+}
+
+TEST(Names, KeepTheirTypeWhenANearerNameTakesOver) {
+  Names names;
+  define(names, {{"k", "1"}, {"ball.pull", "2*k"}});
+  EXPECT_EQ(error_of([&] { define(names, {{"ball.k", "(1, 2, 3)"}}); }).code(), Code::type);
+  EXPECT_EQ(names.row("ball.pull").type, Type::scalar);
+  EXPECT_EQ(number(names, "ball.pull"), 2);
+  EXPECT_THAT(define(names, {{"k", "3"}}), ElementsAre("ball.pull", "k"));
 }
 
 TEST(Names, WhatOthersNeedIsNotRemoved) {
@@ -231,36 +241,143 @@ TEST(Names, TimeHasNoValueWhileNothingRuns) {
 
 TEST(Names, NothingChangesWhenTheStoreRefuses) {
   bool full = false;
-  std::vector<NameRow> kept;
-  Names names([&](int64_t, std::span<const NameRow> rows) {
+  std::vector<std::string> kept;
+  Names names([&](std::span<const NamedRevision> revisions) {
     if (full) throw Error(Code::unavailable, "the disk is full");
-    kept.assign(rows.begin(), rows.end());
+    for (const NamedRevision& revision : revisions) kept.push_back(revision.name);
   });
   define(names, {{"a", "1"}, {"b", "a"}});
-  EXPECT_THAT(names_of(kept), ElementsAre("a", "b"));
+  EXPECT_THAT(kept, ElementsAre("a", "b"));
   full = true;
-  EXPECT_EQ(error_of([&] { define(names, {{"a", "2"}}); }).code(), Code::unavailable);
+  EXPECT_EQ(error_of([&] { define(names, {{"a", "2"}, {"new", "a"}}); }).code(), Code::unavailable);
   EXPECT_EQ(number(names, "b"), 1);
   EXPECT_EQ(names.version(), 1);
+  EXPECT_EQ(names.history("a").size(), 1u);
+  EXPECT_THAT(names_of(names.changes(0)), ElementsAre("a", "b"));
+  full = false;
+  EXPECT_THAT(define(names, {{"a", "3"}}), ElementsAre("a", "b"));
 }
 
 TEST(Names, AreTheSameAfterARestart) {
-  Names before = spring();
+  std::vector<NamedRevision> kept;
+  Names before([&](std::span<const NamedRevision> revisions) {
+    kept.insert(kept.end(), revisions.begin(), revisions.end());
+  });
+  define(before, {{"ball.mass", "2"}, {"spring.k", "4*pi^2*ball.mass"}, {"ball.weight", "(0, -10*mass, 0)"}});
   bind_world(before);
   define(before, {{"height", "ball.position.y"}, {"free", "1"}});
   remove(before, {"free"});
-  std::vector<NameRow> rows = before.rows("");
-  for (const NameRow& row : before.changes(0)) {
-    if (row.kind == NameRow::Kind::removed) rows.push_back(row);
-  }
+  define(before, {{"ball.mass", "5"}});
+  define(before, {{"last", "1"}});
   Names after;
-  after.restore(rows, before.version());
+  after.load(kept);
   EXPECT_EQ(after.version(), before.version());
   EXPECT_EQ(after.rows(""), before.rows(""));
   EXPECT_EQ(after.changes(0), before.changes(0));
+  EXPECT_EQ(after.changes(4), before.changes(4));
+  EXPECT_EQ(after.history("ball.mass"), before.history("ball.mass"));
   LiveWorld world;
   EXPECT_EQ(after.value("height", std::ref(world)), Value::scalar(20));
   EXPECT_THAT(define(after, {{"ball.mass", "1"}}), ElementsAre("ball.mass", "ball.weight", "spring.k"));
+}
+
+TEST(Names, AreSetOnlyAtTheExpectedVersion) {
+  Names names = spring();  // version 1
+  const auto set = [&](std::string text, std::vector<ExpectedVersion> expected) {
+    const std::array definitions = {NamedText{"spring.k", std::move(text)}};
+    return names.define(definitions, {.who = "editor", .expected = std::move(expected)});
+  };
+  set("1", {{"Spring.K", 1}});
+  const Error late = error_of([&] { set("2", {{"spring.k", 1}}); });
+  EXPECT_EQ(late.code(), Code::conflict);
+  EXPECT_EQ(late.where(), "spring.k");
+  EXPECT_THAT(late.message(), HasSubstr("`spring.k` has version 2, last changed by editor; 1 was expected"));
+  EXPECT_EQ(number(names, "spring.k"), 1);
+  // The same text as there is no excuse: who read version 1 has not seen it.
+  EXPECT_EQ(error_of([&] { set("1", {{"spring.k", 1}}); }).code(), Code::conflict);
+  // Other names may be asked for, and what they depend on counts.
+  set("3", {{"ball.weight", 1}});
+  define(names, {{"ball.mass", "7"}});
+  EXPECT_EQ(error_of([&] { set("4", {{"ball.weight", 1}}); }).code(), Code::conflict);
+  EXPECT_EQ(number(names, "spring.k"), 3);
+}
+
+TEST(Names, ZeroIsTheVersionOfWhatIsNotThere) {
+  Names names;
+  const std::array once = {NamedText{"once", "1"}};
+  names.define(once, {.expected = {{"once", 0}}});
+  EXPECT_EQ(error_of([&] { names.define(once, {.expected = {{"once", 0}}}); }).code(), Code::conflict);
+  remove(names, {"once"});
+  EXPECT_EQ(error_of([&] { names.define(once, {.expected = {{"once", 1}}}); }).code(), Code::conflict);
+  EXPECT_EQ(names.define(once, {.expected = {{"once", 0}}}).size(), 1u);
+}
+
+TEST(Names, RememberTheirLastRevisions) {
+  Names names;
+  for (int i = 1; i <= 40; ++i) {
+    const std::array definitions = {NamedText{"k", std::to_string(i)}};
+    names.define(definitions, {.who = i % 2 ? "odd" : "even", .time_us = 1000 * i});
+    if (i == 1) define(names, {{"twice", "2*k"}});
+  }
+  const std::vector<Revision> history = names.history("K");
+  ASSERT_EQ(history.size(), kRevisionsKept);
+  EXPECT_EQ(history.back().text, "40");
+  EXPECT_EQ(history.front().text, "25");
+  EXPECT_EQ(history.front().who, "odd");
+  EXPECT_EQ(history.front().time_us, 25000);
+  EXPECT_EQ(history.front().version, 26);
+  EXPECT_EQ(names.history("twice").size(), 1u);  // it was changed by nobody
+  remove(names, {"twice"});
+  EXPECT_EQ(names.history("twice").back().kind, Revision::Kind::removed);
+  EXPECT_EQ(error_of([&] { names.history("thrice"); }).code(), Code::unknown_name);
+}
+
+TEST(Names, AreReplacedAsAWhole) {
+  Names names = spring();
+  const std::vector<NamedText> before = names.definitions("");
+  define(names, {{"ball.mass", "3"}, {"ball.drag", "0.1"}, {"late", "drag.all"}, {"drag.all", "2"}});
+  remove(names, {"ball.weight"});
+  const auto replace = [&](const std::vector<NamedText>& definitions, const char* prefix) {
+    return names_of(names.replace(definitions, prefix));
+  };
+  EXPECT_THAT(replace(before, ""),
+              ElementsAre("ball.drag", "ball.mass", "ball.weight", "drag.all", "late", "spring.k"));
+  EXPECT_EQ(names.definitions("").size(), 3u);
+  EXPECT_EQ(number(names, "ball.mass"), 2);
+  EXPECT_TRUE(replace(before, "").empty());
+
+  define(names, {{"needs", "ball.mass"}});
+  const Error needed = error_of([&] { replace({}, "ball"); });
+  EXPECT_EQ(needed.code(), Code::conflict);
+  EXPECT_THAT(needed.message(), HasSubstr("needs"));
+  EXPECT_EQ(error_of([&] { replace({{"other", "1"}}, "ball"); }).code(), Code::bad_params);
+  EXPECT_EQ(error_of([&] { replace({{"ball.mass", "nothing"}}, "ball"); }).code(), Code::unknown_name);
+  EXPECT_EQ(number(names, "needs"), 2);
+}
+
+TEST(Names, APrefixMayBeWrittenWithAStar) {
+  for (const char* written : {"ball", "Ball.", "ball.*"})
+    EXPECT_EQ(folded_prefix(written), "ball") << written;
+  for (const char* all : {"", "*"}) EXPECT_EQ(folded_prefix(all), "") << all;
+  for (const char* wrong : {"ba*", "ball*", "*.mass", "ball.*.x"})
+    EXPECT_EQ(error_of([&] { folded_prefix(wrong); }).code(), Code::bad_params) << wrong;
+}
+
+// A change takes a time that depends on what it touches: were each of these to look at all names, the test
+// would take an hour.
+TEST(Names, AHundredThousandAreNoBurden) {
+  constexpr int kCount = 100'000;
+  Names names;
+  std::vector<NamedText> all;
+  for (int i = 0; i < kCount; ++i) all.push_back({fmt::format("body{}.mass", i), std::to_string(i)});
+  EXPECT_EQ(names.define(all).size(), static_cast<size_t>(kCount));
+  for (int i = 0; i < kCount; ++i) {
+    define(names, {{fmt::format("body{}.mass", i), "1"}});
+    ASSERT_EQ(names.changes(names.version() - 1).size(), 1u);
+  }
+  EXPECT_EQ(names.rows("body77").size(), 1u);
+  EXPECT_THAT(error_of([&] { names.row("body5.mas"); }).remedy(), HasSubstr("`body5.mass`"));
+  EXPECT_EQ(number(names, "body99999.mass"), 1);
 }
 
 }  // namespace

@@ -171,10 +171,10 @@ TEST_P(Interexpserv, AnArrayThatIsNeverFinishedIsToldSo) {
 
 TEST_P(Interexpserv, NotifiesWhoWatches) {
   client().define({{"ball.mass", "2"}, {"ball.weight", "10*mass"}, {"ballast", "1"}});
-  EXPECT_EQ(client().watch("Ball"), 1);
+  EXPECT_EQ(client().watch("Ball").version, 1);
   client().set("ballast", "2");
   client().set("ball.mass", "3");
-  NameState change;
+  NameChanged::Request change;
   ASSERT_TRUE(client().wait_change(change, 10));
   EXPECT_EQ(change.name, "ball.mass");
   EXPECT_EQ(change.text, "3");
@@ -188,6 +188,56 @@ TEST_P(Interexpserv, NotifiesWhoWatches) {
   client().unwatch("ball");
   client().set("ball.mass", "4");
   EXPECT_FALSE(client().wait_change(change, 0));
+}
+
+TEST_P(Interexpserv, SetsOnlyWhatIsAsExpected) {
+  client().define({{"a", "1"}, {"b", "1"}});
+  const int64_t version = client().get("a").version;
+  client().set("b", "2", version);
+  const Error late = error_of([&] { client().define({{"a", "5"}, {"c", "6"}}, {{"b", version}}); });
+  EXPECT_EQ(late.code(), Code::conflict);
+  EXPECT_EQ(late.where(), "b");
+  EXPECT_THAT(late.message(), HasSubstr("has version 2"));
+  EXPECT_EQ(number("a"), 1);
+  client().set("c", "6", 0);
+  EXPECT_EQ(error_of([&] { client().set("c", "7", 0); }).code(), Code::conflict);
+  EXPECT_EQ(error_of([&] { client().remove({"c"}, {{"c", 1}}); }).code(), Code::conflict);
+  client().remove({"c"}, {{"c", 3}});
+}
+
+TEST_P(Interexpserv, TellsTheHistoryOfAName) {
+  client().set("k", "1");
+  client().set("k", "2*3");
+  client().remove({"k"});
+  const auto history = client().history("K");
+  ASSERT_EQ(history.size(), 3u);
+  EXPECT_EQ(history[1].text, "2*3");
+  EXPECT_EQ(history[1].version, 2);
+  EXPECT_EQ(history[1].who, GetParam() ? "test" : "");
+  EXPECT_THAT(history[1].time, testing::MatchesRegex("20..-..-..T..:..:..Z"));
+  EXPECT_EQ(history[2].kind, Kind::removed);
+  EXPECT_EQ(error_of([&] { client().history("j"); }).code(), Code::unknown_name);
+}
+
+TEST_P(Interexpserv, ASnapshotIsRestoredWholeOrNotAtAll) {
+  publish_world();
+  client().define({{"ball.mass", "2"}, {"spring.k", "4*pi^2*ball.mass"}});
+  const Snapshot::Reply all = client().snapshot(), ball = client().snapshot("ball.*");
+  EXPECT_THAT(all.names, ElementsAre("ball.mass", "spring.k"));
+  EXPECT_THAT(all.texts, ElementsAre("2", "4*pi^2*ball.mass"));
+  EXPECT_THAT(ball.names, ElementsAre("ball.mass"));
+  client().define({{"ball.mass", "3"}, {"other", "1"}});
+  EXPECT_EQ(client().restore(ball, "ball").changed, 2);  // spring.k follows
+  EXPECT_EQ(number("other"), 1);
+  EXPECT_EQ(client().restore(all).changed, 1);
+  EXPECT_EQ(error_of([&] { client().get("other"); }).code(), Code::unknown_name);
+  EXPECT_THAT(client().get("ball.position").values, ElementsAre(10, 20, 30));
+  Snapshot::Reply broken = all;
+  broken.texts[1] = "ball.maß";
+  EXPECT_EQ(error_of([&] { client().restore(broken); }).where(), "spring.k");
+  broken.texts.pop_back();
+  EXPECT_EQ(error_of([&] { client().restore(broken); }).code(), Code::bad_params);
+  EXPECT_EQ(client().snapshot().texts, all.texts);
 }
 
 TEST_P(Interexpserv, SharesArrays) {
@@ -242,6 +292,28 @@ TEST_P(Interexpserv, KnowsWhoOffersWhat) {
   EXPECT_THAT(error_of([&] { channel().call<rpc::Lookup>({"egezp"}); }).remedy(), HasSubstr("egesp"));
 }
 
+// Over a socket it is tests/suite/registry_test.cpp.
+TEST(InterexpservTable, AWatcherInThisProcessThatDoesNotReadIsToldSo) {
+  rpc::LocalSuite suite;
+  suite.add("interexpserv", fill_table);
+  Client client(suite);
+  client.watch("k");
+  const std::string padding(1000, ' ');
+  for (int i = 0; i < 500; ++i) client.set("k", std::to_string(i) + padding);
+  NameChanged::Request change;
+  FellBehind::Request lost;
+  int64_t told = 0;
+  while (client.wait_change(change = {}, 0)) ASSERT_EQ(change.sequence, ++told);
+  EXPECT_LT(told, 500);
+  ASSERT_TRUE(client.fell_behind(lost));
+  EXPECT_EQ(lost.first_lost, told + 1);
+  EXPECT_EQ(lost.sequence, 500);
+  EXPECT_EQ(client.changes(lost.since).names.size(), 1u);
+  client.set("k", "0");
+  ASSERT_TRUE(client.wait_change(change = {}, 0));
+  EXPECT_EQ(change.sequence, 501);
+}
+
 TEST(InterexpservTable, AnswersEveryMessageOfItsProtocol) {
   rpc::LocalSuite suite;
   const rpc::Service& service = suite.add("interexpserv", fill_table);
@@ -284,7 +356,7 @@ TEST(InterexpservDaemon, TellsOtherConnections) {
   Client watcher(watching), editor(editing);
   watcher.watch("spring");
   editor.set("spring.k", "2");
-  NameState change;
+  NameChanged::Request change;
   ASSERT_TRUE(watcher.wait_change(change, 10));
   EXPECT_EQ(change.name, "spring.k");
 }
