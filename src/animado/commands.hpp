@@ -21,9 +21,12 @@ CLI::App& add_command(CommandLine& line, const std::string& name, const std::str
 void add_run_command(CommandLine& line);
 void add_check_command(CommandLine& line);
 void add_ps_command(CommandLine& line);
+void add_top_command(CommandLine& line);
 void add_ping_command(CommandLine& line);
 void add_get_command(CommandLine& line);
 void add_set_command(CommandLine& line);
+void add_snapshot_command(CommandLine& line);
+void add_restore_command(CommandLine& line);
 void add_eval_command(CommandLine& line);
 void add_watch_command(CommandLine& line);
 void add_call_command(CommandLine& line);

@@ -10,7 +10,18 @@ namespace {
 struct Options {
   SuiteChoice suite;
   std::vector<std::string> words;
+  std::optional<int64_t> if_version;
 };
+
+void set(const Options& options) {
+  const auto& words = options.words;
+  if (words.size() % 2 != 0) throw CLI::ValidationError("set", "each name needs an expression");
+  std::vector<interexpserv::Define::Definition> definitions;
+  for (size_t i = 0; i < words.size(); i += 2) definitions.push_back({words[i], words[i + 1]});
+  std::vector<interexpserv::Expected> expected;
+  if (options.if_version) expected.push_back({words[0], *options.if_version});
+  interexpserv::Client(*connect_to_suite(options.suite)).define(std::move(definitions), std::move(expected));
+}
 
 }  // namespace
 
@@ -19,18 +30,14 @@ void add_set_command(CommandLine& line) {
   CLI::App& command =
       add_command(line, "set", "Define names by expressions",
                   "  animado set ball.force \"(0, -9.81*mass, 0)\"\n"
-                  "  animado set spring.k \"4*pi^2*ball.mass\" spring.x0 0.5    both or none\n\n"
+                  "  animado set spring.k \"4*pi^2*ball.mass\" spring.x0 0.5    both or none\n"
+                  "  animado set spring.k 5 --if-version 12    nothing if somebody was faster\n\n"
                   "A run takes the change at its next frame, and writes it down in events.jsonl.\n");
   command.add_option("name expression", options->words, "Names, each with its expression")->required();
   add_suite_choice(command, options->suite);
-  command.callback([options] {
-    if (options->words.size() % 2 != 0) throw CLI::ValidationError("set", "each name needs an expression");
-    std::vector<interexpserv::Define::Definition> definitions;
-    for (size_t i = 0; i < options->words.size(); i += 2) {
-      definitions.push_back({options->words[i], options->words[i + 1]});
-    }
-    interexpserv::Client(*connect_to_suite(options->suite)).define(std::move(definitions));
-  });
+  command.add_option("--if-version", options->if_version,
+                     "Only if the first name has this version (animado get --json); 0: if it is not there");
+  command.callback([options] { set(*options); });
 }
 
 }  // namespace animado

@@ -34,6 +34,7 @@ nlohmann::ordered_json name_json(const interexpserv::NameState& name) {
   nlohmann::ordered_json page = {
       {"name", name.name}, {"type", name_of(name.type)}, {"value", value_json(name.type, name.values)}};
   if (!name.text.empty()) page["expression"] = name.text;
+  page["version"] = name.version;
   return page;
 }
 

@@ -1,9 +1,11 @@
 // animado watch: tells the values of names whenever they change.
+#include <chrono>
 #include <limits>
 #include <map>
 
 #include "animado/commands.hpp"
 #include "animado/running_suite.hpp"
+#include "animado/terminal.hpp"
 #include "animado/value_text.hpp"
 #include "base/error.hpp"
 #include "interexpserv/client.hpp"
@@ -30,13 +32,36 @@ class Watcher {
   // Until enough was told, or the suite ends.
   void run() {
     while (told_ < options_.count) {
-      for (const std::string& name : options_.names) tell(interexpserv_.get(name));
+      for (const std::string& name : options_.names) look_at(name);
       std::fflush(stdout);
-      wait();
+      take_changes();
     }
   }
 
  private:
+  void look_at(const std::string& name) {
+    if (!name.ends_with('.') && !name.ends_with('*')) return tell(interexpserv_.get(name));
+    for (const auto& state : interexpserv_.get_within(name)) tell(state);
+  }
+
+  // Changes of definitions come by themselves, each of them in order; values in shared arrays change without
+  // notice, and are looked at again when the time is over.
+  void take_changes() {
+    const auto next_look = std::chrono::steady_clock::now() + std::chrono::duration<double>(options_.every_s);
+    interexpserv::NameChanged::Request change;
+    interexpserv::FellBehind::Request lost;
+    while (told_ < options_.count) {
+      const std::chrono::duration<double> left = next_look - std::chrono::steady_clock::now();
+      if (!interexpserv_.wait_change(change, std::max(left.count(), 0.0))) break;
+      tell(change);
+      std::fflush(stdout);
+      change = {};
+    }
+    if (interexpserv_.fell_behind(lost))
+      print_note(
+          fmt::format("{} changes came faster than they could be told", lost.sequence - lost.first_lost + 1));
+  }
+
   void tell(const interexpserv::NameState& name) {
     const std::string value = value_text(name.type, name.values);
     std::string& last = last_[name.name];
@@ -44,13 +69,6 @@ class Watcher {
     last = value;
     ++told_;
     fmt::print("{}\n", options_.json ? name_json(name).dump() : fmt::format("{} = {}", name.name, value));
-  }
-
-  // A definition that changes wakes us; values in shared arrays change without notice, and are looked at
-  // again.
-  void wait() {
-    interexpserv::NameState change;
-    if (told_ < options_.count) interexpserv_.wait_change(change, options_.every_s);
   }
 
   const Options& options_;
@@ -76,8 +94,9 @@ void add_watch_command(CommandLine& line) {
   CLI::App& command = add_command(line, "watch", "Tell values whenever they change, until the suite ends",
                                   "  animado watch ball.position\n"
                                   "  animado watch t ball.velocity --every 1\n"
-                                  "  animado watch spring.k --count 10\n");
-  command.add_option("name", options->names, "Names")->required();
+                                  "  animado watch spring.k --count 10\n"
+                                  "  animado watch 'ball.*'              all names within ball\n");
+  command.add_option("name", options->names, "Names, or namespaces: ball.*")->required();
   command.add_option("--every", options->every_s, "Seconds between looks at what moves")
       ->check(CLI::PositiveNumber);
   command.add_option("--count", options->count, "Lines to tell")->check(CLI::PositiveNumber);

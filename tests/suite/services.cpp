@@ -27,6 +27,16 @@ void Services::start(const std::string& service) {
                            directory_ / (service + ".output")));
 }
 
+void Services::restart(const std::string& service, int signal) {
+  Child& process = processes_.at(service);
+  process.signal(signal);
+  process.wait(-1);
+  process.reap();
+  processes_.erase(service);
+  start(service);
+  suite_->channel(service).call<rpc::Ping>({});
+}
+
 fs::path Services::socket(const std::string& service) {
   if (service == "interexpserv") return directory_ / "interexpserv.sock";
   rpc::Lookup::Request request;

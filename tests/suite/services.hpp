@@ -23,6 +23,8 @@ class Services {
   const std::filesystem::path& directory() const { return directory_.path(); }
   std::filesystem::path socket(const std::string& service);
   pid_t pid(const std::string& service) const { return processes_.at(service).pid(); }
+  void restart(const std::string& service,
+               int signal);  // ends it by the signal; returns when the new one answers
   bool is_running(const std::string& service) const { return !processes_.at(service).wait(0); }
 
  private:

@@ -83,6 +83,8 @@ class Supervision : public testing::Test {
         << command.err();
   }
 
+  static std::string snapshot() { return animado({"snapshot", "--run", kRun}).out; }
+
   Json summary() const { return Json::parse(text_of(directory_ / "runs/scene/summary.json")); }
 
   // Restarts among the events, by service.
@@ -118,6 +120,32 @@ TEST_F(Supervision, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
     EXPECT_EQ(text_of(directory_ / "runs/scene/states.csv"), states) << service;
     EXPECT_THAT(restarts(), testing::ElementsAre(testing::Pair(service, 1)));
   }
+}
+
+// The names come back from their file, the others register again, and nobody asks for an array that is lost.
+TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBit) {
+  const Words words = {"run", "scene.animado", "--run", kRun};
+  ASSERT_EQ(Command(directory_, words).finish().code, 0);
+  const std::string hash = summary().at("state_hash"), states = text_of(directory_ / "runs/scene/states.csv");
+  Command command(directory_, words);
+  const auto over = [&] { return !command.running(); };
+  ASSERT_TRUE(wait_until([&] { return logged(command, "egesp") > kSomeWork; }, over)) << command.err();
+  const std::string names = snapshot();
+  EXPECT_THAT(names, testing::HasSubstr("ball.force = "));
+  const pid_t pid = pid_of("interexpserv");
+  ASSERT_GT(pid, 0);
+  ASSERT_EQ(kill(pid, SIGKILL), 0);
+  const auto is_back = [&] { return pid_of("interexpserv") != 0 && pid_of("interexpserv") != pid; };
+  ASSERT_TRUE(wait_until(is_back, over)) << "interexpserv did not come back\n" << command.err();
+  EXPECT_EQ(snapshot(), names);
+  for (const std::string service : {"egesp", "fred", "colisao"})
+    EXPECT_TRUE(wait_until([&] { return pid_of(service) != 0; }, over))
+        << service << " did not register again";
+  const Outcome outcome = command.finish();
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(summary().at("state_hash"), hash);
+  EXPECT_EQ(text_of(directory_ / "runs/scene/states.csv"), states);
+  EXPECT_THAT(restarts(), testing::ElementsAre(testing::Pair("interexpserv", 1)));
 }
 
 TEST_F(Supervision, ServicesDieWithTheSupervisor) {
