@@ -31,7 +31,7 @@ void add_protocol_command(CommandLine& line) {
             "Started first, at the one well-known address: who offers what, named values and "
             "expressions, shared arrays."),
         page<egesp::Messages>("egesp", "Solves systems of linear equations. It knows no physics."),
-        page<fred::Messages>("fred", "Integrates ordinary differential equations. It knows no physics."),
+        page<fred::Messages, fred::Notifications>("fred", "Integrates ordinary differential equations. It knows no physics."),
         page<colisao::Messages>("colisao", "Finds collisions and answers them."));
   });
 }

@@ -12,6 +12,8 @@ class Client {
 
   Methods::Reply methods() { return channel_.call<Methods>({}); }
   Stage::Reply stage(const Stage::Request& request) { return channel_.call<Stage>(request); }
+  Estimate::Reply estimate(const Estimate::Request& request) { return channel_.call<Estimate>(request); }
+  Dense::Reply dense(const Dense::Request& request) { return channel_.call<Dense>(request); }
   Integrate::Reply integrate(const Integrate::Request& request) { return channel_.call<Integrate>(request); }
 
  private:

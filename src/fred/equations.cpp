@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/fold.hpp"
@@ -15,6 +15,7 @@ namespace animado::fred {
 namespace {
 
 using interexpserv::MapScope;
+using interexpserv::Symbol;
 using interexpserv::Type;
 using interexpserv::Value;
 
@@ -64,29 +65,50 @@ Halves split(std::string_view text, const std::string& where) {
   throw Error(Code::conflict, fmt::format("'{}' is given twice", name), where, "give each name once");
 }
 
-interexpserv::Program compile_number(std::string_view expression, const MapScope& scope,
-                                     const std::string& where) {
-  interexpserv::Program program = interexpserv::compile(expression, scope, where);
-  if (program.type() != Type::scalar) {
-    throw Error(Code::type,
-                fmt::format("'{}' is a {}, not a number", trimmed(expression), name_of(program.type())),
-                where, "an unknown is one number: write an equation for each component");
-  }
-  return program;
+// "a = b" as a difference; comparisons have other signs around theirs.
+std::string as_difference(std::string_view text) {
+  const size_t equals = text.find('=');
+  const auto is_sign = [&](size_t at) {
+    return at < text.size() && std::string_view("=<>!").find(text[at]) != std::string_view::npos;
+  };
+  if (equals == text.npos || is_sign(equals + 1) || (equals > 0 && is_sign(equals - 1)))
+    return std::string(text);
+  return fmt::format("({}) - ({})", text.substr(0, equals), text.substr(equals + 1));
 }
 
 }  // namespace
 
-Equations::Equations(std::span<const std::string> texts, const NamedValues& constants) {
-  MapScope scope;
-  scope.input("t", Type::scalar);
+// What the equations know, and behind it what is looked up: once a name, so that it keeps one value.
+class Equations::Names : public MapScope {
+ public:
+  explicit Names(Lookup lookup) : lookup_(std::move(lookup)) {}
+
+  std::optional<Symbol> find(std::string_view name) const override {
+    if (auto known = MapScope::find(name); known || !lookup_) return known;
+    const auto [at, is_new] = found_.try_emplace(std::string(name));
+    if (is_new) at->second = lookup_(name);
+    if (!at->second) return {};
+    return *at->second;
+  }
+
+ private:
+  Lookup lookup_;
+  mutable std::map<std::string, std::optional<Value>, std::less<>> found_;
+};
+
+Equations::Equations(std::span<const std::string> texts, const NamedValues& constants, Lookup lookup)
+    : names_(std::make_unique<Names>(std::move(lookup))) {
+  names_->input("t", Type::scalar);
+  const auto refuse_known = [&](const std::string& folded, const std::string& where) {
+    if (names_->MapScope::find(folded)) refuse_twice(folded, where);
+  };
   std::vector<std::string_view> expressions;
   for (size_t i = 0; i < texts.size(); ++i) {
     const std::string where = fmt::format("equations[{}]", i);
     const auto [unknown, expression] = split(texts[i], where);
     const std::string folded = checked_name(unknown, where);
-    if (scope.find(folded)) refuse_twice(folded, where);
-    scope.input(folded, Type::scalar);
+    refuse_known(folded, where);
+    names_->input(folded, Type::scalar);
     unknowns_.emplace_back(unknown);
     folded_.push_back(folded);
     expressions.push_back(expression);
@@ -94,20 +116,32 @@ Equations::Equations(std::span<const std::string> texts, const NamedValues& cons
   for (size_t i = 0; i < constants.size(); ++i) {
     const std::string where = fmt::format("constants[{}]", i);
     const std::string folded = checked_name(constants[i].first, where);
-    if (scope.find(folded)) refuse_twice(folded, where);
-    scope.set(folded, Value::scalar(constants[i].second));
+    refuse_known(folded, where);
+    names_->set(folded, Value::scalar(constants[i].second));
   }
-  arguments_.resize(1 + size());
+  inputs_.resize(1 + size());
+  rates_.resize(1 + size());
   for (size_t i = 0; i < size(); ++i) {
-    right_sides_.push_back({compile_number(expressions[i], scope, fmt::format("equations[{}]", i)), {}});
-    auto& [program, sources] = right_sides_.back();
-    for (const auto& input : program.inputs()) sources.push_back(source_of(input.name));
-    inputs_.resize(std::max(inputs_.size(), sources.size()));
+    right_sides_.push_back(compiled(expressions[i], fmt::format("equations[{}]", i),
+                                    "an unknown is one number: write an equation for each component"));
   }
 }
 
-size_t Equations::source_of(const std::string& input) const {
-  return input == "t" ? 0 : 1 + static_cast<size_t>(std::ranges::find(folded_, input) - folded_.begin());
+Equations::~Equations() = default;
+
+Equations::Expression Equations::compiled(std::string_view text, const std::string& where,
+                                          const char* remedy) const {
+  Expression expression{interexpserv::compile(text, *names_, where), {}};
+  if (expression.program.type() != Type::scalar) {
+    throw Error(Code::type,
+                fmt::format("'{}' is a {}, not a number", trimmed(text), name_of(expression.program.type())),
+                where, remedy);
+  }
+  for (const auto& [name, type] : expression.program.inputs()) {
+    const auto unknown = std::ranges::find(folded_, name) - folded_.begin();
+    expression.sources.push_back(name == "t" ? 0 : 1 + static_cast<size_t>(unknown));
+  }
+  return expression;
 }
 
 std::vector<double> Equations::arranged(const NamedValues& from) const {
@@ -136,14 +170,53 @@ std::vector<double> Equations::arranged(const NamedValues& from) const {
   return y;
 }
 
+void Equations::load(const Expression& expression, double t, std::span<const double> y) const {
+  double* next = inputs_.data();
+  for (const size_t source : expression.sources) *next++ = source == 0 ? t : y[source - 1];
+}
+
 void Equations::evaluate(double t, std::span<const double> y, std::span<double> rate) const {
-  arguments_[0] = t;
-  std::ranges::copy(y, arguments_.begin() + 1);
   for (size_t i = 0; i < right_sides_.size(); ++i) {
-    const auto& [program, sources] = right_sides_[i];
-    for (size_t k = 0; k < sources.size(); ++k) inputs_[k] = arguments_[sources[k]];
-    program.evaluate(inputs_.data(), &rate[i]);
+    load(right_sides_[i], t, y);
+    right_sides_[i].program.evaluate(inputs_.data(), &rate[i]);
   }
+}
+
+void Equations::differentiate(double t, std::span<const double> y, std::span<double> jacobian) const {
+  std::ranges::fill(jacobian, 0.0);
+  for (size_t i = 0; i < size(); ++i) {
+    const auto& [program, sources] = right_sides_[i];
+    load(right_sides_[i], t, y);
+    std::ranges::fill(rates_, 0.0);
+    for (size_t k = 0; k < sources.size(); ++k) {
+      if (sources[k] == 0) continue;
+      double value = 0;
+      rates_[k] = 1;
+      program.evaluate_with_rate(inputs_.data(), rates_.data(), &value,
+                                 &jacobian[i * size() + sources[k] - 1]);
+      rates_[k] = 0;
+    }
+  }
+}
+
+std::vector<size_t> Equations::read_by(size_t i) const {
+  std::vector<size_t> read;
+  for (const size_t source : right_sides_[i].sources) {
+    if (source > 0) read.push_back(source - 1);
+  }
+  return read;
+}
+
+std::function<double(double, std::span<const double>)> Equations::expression(std::string_view text,
+                                                                             const std::string& where) const {
+  return [this, expression = compiled(as_difference(text), where,
+                                      "give a number that crosses zero, as x - 1, or write x = 1")](
+             double t, std::span<const double> y) {
+    load(expression, t, y);
+    double value = 0;
+    expression.program.evaluate(inputs_.data(), &value);
+    return value;
+  };
 }
 
 }  // namespace animado::fred

@@ -1,76 +1,122 @@
 #include "fred/integrate.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
-
-#include "fred/stage.hpp"
+#include <chrono>
 
 namespace animado::fred {
 namespace {
 
-// A step from (t, y); `end` is where it arrives.
-class Stepper {
- public:
-  Stepper(const Derivative& derivative, const Tableau& method, size_t size)
-      : derivative_(derivative), method_(method), size_(size), rates_(method.stages() * size), stage_(size) {}
+using Clock = std::chrono::steady_clock;
 
-  void step(double t, double step, std::span<const double> y, std::span<double> end) {
-    for (size_t s = 0; s < method_.stages(); ++s) {
-      if (s > 0) combine(y, rates_, method_.coefficients(s), step, stage_);
-      derivative_(t + method_.nodes[s] * step, s == 0 ? y : stage_,
-                  std::span(rates_).subspan(s * size_, size_));
+constexpr int64_t kStepsALook = 64;  // at the clock: it costs as much as a short step
+constexpr std::chrono::milliseconds kAsk(100);
+
+class Run {
+ public:
+  Run(Stepper& stepper, const Goal& goal)
+      : stepper_(stepper), goal_(goal), finder_(goal.events), row_(stepper.y().size()) {}
+
+  Solution go() {
+    direction_ = goal_.t1 < stepper_.t() ? -1 : 1;
+    reported_ = goal_.reported_t.value_or(stepper_.t());
+    const bool fresh = !goal_.reported_t;
+    while (next_ < goal_.times.size() &&
+           (fresh ? is_before(goal_.times[next_], reported_) : !is_before(reported_, goal_.times[next_]))) {
+      ++next_;
     }
-    combine(y, rates_, method_.weights, step, end);
+    sample_until(stepper_.t());
+    finder_.start(stepper_.t(), stepper_.y());
+    solution_.stop = advance();
+    finish();
+    return std::move(solution_);
   }
 
  private:
-  const Derivative& derivative_;
-  const Tableau& method_;
-  size_t size_;
-  std::vector<double> rates_, stage_;
-};
+  bool is_before(double a, double b) const { return direction_ * (a - b) < 0; }
 
-void append_row(Solution& solution, double t, std::span<const double> y) {
-  solution.rows.push_back(t);
-  solution.rows.insert(solution.rows.end(), y.begin(), y.end());
-}
+  Stop advance() {
+    while (is_before(stepper_.t(), goal_.t1)) {
+      if (solution_.steps == goal_.most_steps) return Stop::step_limit;
+      if (const auto stop = look_at_clock()) return *stop;
+      const auto outcome = stepper_.step(goal_.t1);
+      if (outcome == Stepper::Outcome::step_too_small) return Stop::step_too_small;
+      if (outcome == Stepper::Outcome::not_finite) return Stop::not_finite;
+      ++solution_.steps;
+      if (const auto ended = tell_step()) return *ended;
+    }
+    return Stop::end;
+  }
+
+  // Samples and events of the last step.
+  std::optional<Stop> tell_step() {
+    if (!goal_.events.empty()) {
+      for (Occurrence& event : finder_.in_step(stepper_)) {
+        if (!is_before(reported_, event.t)) continue;
+        sample_until(event.t);
+        solution_.events.push_back(std::move(event));
+        if (!finder_.is_terminal(solution_.events.back())) continue;
+        stopped_inside_ = true;
+        return Stop::event;
+      }
+    }
+    sample_until(stepper_.t());
+    return {};
+  }
+
+  void sample_until(double t) {
+    for (; next_ < goal_.times.size() && !is_before(t, goal_.times[next_]); ++next_) {
+      stepper_.interpolate(goal_.times[next_], row_);
+      solution_.rows.push_back(goal_.times[next_]);
+      solution_.rows.insert(solution_.rows.end(), row_.begin(), row_.end());
+    }
+  }
+
+  std::optional<Stop> look_at_clock() {
+    if (solution_.steps % kStepsALook != 0) return {};
+    const auto now = Clock::now();
+    if (std::chrono::duration<double>(now - start_).count() > goal_.most_time_s) return Stop::time_limit;
+    if (!goal_.go_on || now - asked_ < kAsk) return {};
+    asked_ = now;
+    if (!goal_.go_on(stepper_.t(), solution_.steps)) return Stop::cancelled;
+    return {};
+  }
+
+  void finish() {
+    if (stopped_inside_) {
+      solution_.t = solution_.events.back().t;
+      solution_.y = solution_.events.back().y;
+    } else {
+      solution_.t = stepper_.t();
+      solution_.y.assign(stepper_.y().begin(), stepper_.y().end());
+    }
+    solution_.checkpoint = stepper_.checkpoint(stopped_inside_ || !stepper_.whole());
+    solution_.checkpoint.reported_t = is_before(reported_, solution_.t) ? solution_.t : reported_;
+  }
+
+  Stepper& stepper_;
+  const Goal& goal_;
+  EventFinder finder_;
+  std::vector<double> row_;
+  Solution solution_;
+  double direction_ = 1, reported_ = 0;
+  size_t next_ = 0;  // sample
+  bool stopped_inside_ = false;
+  Clock::time_point start_ = Clock::now(), asked_ = start_;
+};
 
 }  // namespace
 
-Interval Interval::divided(double t0, double t1, double largest_step, int64_t samples) {
-  // A quotient that rounding lifted just above a whole number is that number: 1.1 / 0.1 asks for 11 steps.
-  const double wanted = largest_step > 0 ? std::ceil(std::abs(t1 - t0) / largest_step * (1 - 0x1p-50)) : 1000;
-  return {t0, t1, std::max({int64_t{1}, samples, static_cast<int64_t>(std::min(wanted, 0x1p62))}), samples};
-}
-
-double Interval::time(int64_t step) const {
-  return step == steps ? t1 : t0 + static_cast<double>(step) * ((t1 - t0) / static_cast<double>(steps));
-}
-
-Solution integrate(const Derivative& derivative, std::span<const double> start, const Interval& interval,
-                   const Tableau& method) {
-  assert(interval.steps >= 1 && interval.samples <= interval.steps);
-  const double step = (interval.t1 - interval.t0) / static_cast<double>(interval.steps);
-  const int64_t samples = std::max(interval.samples, int64_t{1});
-  Stepper stepper(derivative, method, start.size());
-  std::vector<double> y(start.begin(), start.end()), end(start.size());
-  Solution solution;
-  append_row(solution, interval.t0, start);
-  int64_t sample = 1;
-  while (solution.steps < interval.steps) {
-    stepper.step(interval.time(solution.steps), step, y, end);
-    solution.evaluations += static_cast<int64_t>(method.stages());
-    solution.finite = std::ranges::all_of(end, [](double v) { return std::isfinite(v); });
-    if (!solution.finite) break;
-    std::swap(y, end);
-    ++solution.steps;
-    if (solution.steps == sample * interval.steps / samples) {
-      append_row(solution, interval.time(solution.steps), y);
-      ++sample;
-    }
+std::vector<double> even_times(double t0, double t1, int64_t count) {
+  std::vector<double> times;
+  for (int64_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    times.push_back(i + 1 == count ? t1 : t0 + share * (t1 - t0));
   }
-  return solution;
+  return times;
+}
+
+Solution integrate(Stepper& stepper, const Goal& goal) {
+  return Run(stepper, goal).go();
 }
 
 }  // namespace animado::fred

@@ -1,36 +1,38 @@
-// y' = f(t, y) from t0 to t1 with steps of one length by a Runge–Kutta method.
+// y' = f(t, y) to a given time, or until something stops it.
 #pragma once
 
 #include <functional>
+#include <optional>
 
-#include "fred/tableau.hpp"
+#include "fred/events.hpp"
+#include "fred/stepper.hpp"
 
 namespace animado::fred {
 
-// Puts f(t, y) into `rate`.
-using Derivative = std::function<void(double t, std::span<const double> y, std::span<double> rate)>;
-
-struct Interval {
-  double t0 = 0, t1 = 1;  // t1 may lie before t0
-  int64_t steps = 1000;   // at least 1
-  int64_t samples = 0;    // at most steps; 0: the end alone
-
-  // The fewest equal steps that are no longer than `largest_step` (0: a thousandth of the interval) and no
-  // fewer than the samples.
-  static Interval divided(double t0, double t1, double largest_step, int64_t samples);
-
-  double time(int64_t step) const;  // t1 exactly at the end
+struct Goal {
+  double t1 = 1;
+  std::vector<double> times = {};  // of samples, in the direction of t1
+  std::vector<EventRule> events = {};
+  int64_t most_steps = std::numeric_limits<int64_t>::max();
+  double most_time_s = std::numeric_limits<double>::infinity();  // on the clock
+  std::optional<double> reported_t = {};  // samples and events up to there were told before
+  // Asked about ten times a second; false cancels.
+  std::function<bool(double t, int64_t steps)> go_on = {};
 };
 
 struct Solution {
-  std::vector<double>
-      rows;  // (1 + max(samples, 1), 1 + size of y): t and y, the first row the start, the last the end
-  int64_t evaluations = 0;
-  int64_t steps = 0;  // taken before y left the finite numbers, or all
-  bool finite = true;
+  Stop stop = Stop::end;
+  double t = 0;              // where it stopped
+  std::vector<double> y;     // there
+  std::vector<double> rows;  // (samples, 1 + size of y): t and y at each time that was reached
+  std::vector<Occurrence> events;
+  int64_t steps = 0;  // taken in this call
+  Checkpoint checkpoint;
 };
 
-Solution integrate(const Derivative& derivative, std::span<const double> start, const Interval& interval,
-                   const Tableau& method);
+// Times of `count` even samples from t0 to t1, both among them.
+std::vector<double> even_times(double t0, double t1, int64_t count);
+
+Solution integrate(Stepper& stepper, const Goal& goal);
 
 }  // namespace animado::fred

@@ -1,91 +1,22 @@
 #include "fred/tableau.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "base/error.hpp"
-#include "base/fold.hpp"
-#include "base/nearest_name.hpp"
+#include "fred/tableaus/tableaus.hpp"
 
 namespace animado::fred {
 namespace {
 
-constexpr double kRoot2 = 1.41421356237309504880;
-
-// clang-format off
-std::vector<Tableau> make_tableaus() {
-  return {
-      {"rk4", "the classical method: Kutta, Z. Math. Phys. 46 (1901); Hairer, Nørsett, Wanner, Solving ODE I (1993), II.1", 4,
-       {0, 1. / 2, 1. / 2, 1},
-       {1. / 6, 1. / 3, 1. / 3, 1. / 6},
-       {0,      0,      0, 0,
-        1. / 2, 0,      0, 0,
-        0,      1. / 2, 0, 0,
-        0,      0,      1, 0}},
-
-      // Without Gill's running correction of rounding errors, which was made for fixed-point registers.
-      {"gill", "Gill, Proc. Camb. Phil. Soc. 47 (1951) 96–108", 4,
-       {0, 1. / 2, 1. / 2, 1},
-       {1. / 6, (2 - kRoot2) / 6, (2 + kRoot2) / 6, 1. / 6},
-       {0,                0,              0,              0,
-        1. / 2,           0,              0,              0,
-        (kRoot2 - 1) / 2, 1 - kRoot2 / 2, 0,              0,
-        0,                -kRoot2 / 2,    1 + kRoot2 / 2, 0}},
-
-      {"rk38", "the 3/8 rule: Kutta, Z. Math. Phys. 46 (1901); Hairer, Nørsett, Wanner, Solving ODE I (1993), II.1", 4,
-       {0, 1. / 3, 2. / 3, 1},
-       {1. / 8, 3. / 8, 3. / 8, 1. / 8},
-       {0,       0,  0, 0,
-        1. / 3,  0,  0, 0,
-        -1. / 3, 1,  0, 0,
-        1,       -1, 1, 0}},
-
-      {"heun3", "Heun, Z. Math. Phys. 45 (1900) 23–38", 3,
-       {0, 1. / 3, 2. / 3},
-       {1. / 4, 0, 3. / 4},
-       {0,      0,      0,
-        1. / 3, 0,      0,
-        0,      2. / 3, 0}},
-
-      {"midpoint", "Runge, Math. Ann. 46 (1895) 167–178", 2,
-       {0, 1. / 2},
-       {0, 1},
-       {0,      0,
-        1. / 2, 0}},
-
-      {"heun", "the trapezoidal rule made explicit: Heun, Z. Math. Phys. 45 (1900) 23–38", 2,
-       {0, 1},
-       {1. / 2, 1. / 2},
-       {0, 0,
-        1, 0}},
-
-      {"euler", "Euler, Institutionum calculi integralis I (1768), 650", 1,
-       {0},
-       {1},
-       {0}},
-  };
+std::vector<Tableau> all_tableaus() {
+  std::vector<Tableau> all = classical_tableaus();
+  for (Tableau& tableau : embedded_tableaus()) all.push_back(std::move(tableau));
+  all.push_back(dop853_tableau());
+  return all;
 }
-// clang-format on
 
 }  // namespace
 
 const std::vector<Tableau>& tableaus() {
-  static const std::vector<Tableau> kTableaus = make_tableaus();
+  static const std::vector<Tableau> kTableaus = all_tableaus();
   return kTableaus;
-}
-
-const Tableau& tableau_named(std::string_view name) {
-  const std::string folded = fold(name);
-  std::vector<std::string> names;
-  for (const Tableau& tableau : tableaus()) {
-    if (tableau.name == folded) return tableau;
-    names.push_back(tableau.name);
-  }
-  const std::string nearest = nearest_name(folded, names);
-  throw Error(Code::unknown_name, fmt::format("no method is named '{}'", name), "method",
-              nearest.empty()
-                  ? fmt::format("use one of {}", fmt::join(names, ", "))
-                  : fmt::format("did you mean '{}'? There are {}", nearest, fmt::join(names, ", ")));
 }
 
 }  // namespace animado::fred

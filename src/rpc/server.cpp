@@ -33,6 +33,7 @@ Server::Server(Dispatcher& dispatcher, std::filesystem::path socket)
     return post(id, message);
   };
   dispatcher_.load = [this] { return load(); };
+  dispatcher_.service().is_connected = [this](ConnectionId id) { return is_connected(id); };
 }
 
 Server::~Server() {
@@ -292,6 +293,15 @@ Dispatcher::Load Server::load() const {
     load.unsent_bytes += static_cast<int64_t>(peer.connection.unsent());
   }
   return load;
+}
+
+bool Server::is_connected(ConnectionId id) {
+  const auto found = by_id_.find(id);
+  if (found == by_id_.end() || found->second->ending) return false;
+  Peer& peer = *found->second;
+  flush(peer);
+  pollfd state = {peer.connection.fd(), POLLRDHUP, 0};
+  return !peer.ending && ::poll(&state, 1, 0) == 0;
 }
 
 }  // namespace animado::rpc

@@ -70,6 +70,7 @@ class Server {
   Service::Delivery post(ConnectionId id, std::string_view message);
   void flush(Peer& peer);
   Dispatcher::Load load() const;
+  bool is_connected(ConnectionId id);
 
   Dispatcher& dispatcher_;
   std::filesystem::path socket_;

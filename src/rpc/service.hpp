@@ -77,6 +77,10 @@ class Service {
   // Sends a notification to one connection. False when it is gone or full.
   bool notify(ConnectionId connection, const MessageCodec& message, const void* request) const;
 
+  // Whether a connection is still there, for a handler that takes long; sends on what it was notified of. Set by a
+  // server, empty in this process.
+  std::function<bool(ConnectionId)> is_connected;
+
  private:
   void add(const MessageCodec& codec, Handler handler);
   std::string name_;

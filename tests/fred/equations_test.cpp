@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/error.hpp"
-#include "fred/integrate.hpp"
 
 namespace animado::fred {
 namespace {
@@ -35,15 +33,37 @@ TEST(Equations, ValuesAreArrangedInTheOrderOfTheEquations) {
   EXPECT_EQ(equations.arranged({{"y", 2}, {"x", 1}}), (std::vector<double>{1, 2}));
 }
 
-// One period of a harmonic oscillator, fourth order: the error of 1000 steps is below (2π)⁵/120/1000⁴.
-TEST(Equations, CanBeIntegrated) {
-  const Equations equations(Texts{"x' = v", "v' = -omega^2*x"}, {{"omega", 2 * std::numbers::pi}});
-  const Derivative derivative = [&](double t, auto y, auto rate) { equations.evaluate(t, y, rate); };
-  const Solution solution =
-      integrate(derivative, equations.arranged({{"x", 1}, {"v", 0}}), {0, 1, 1000, 0}, tableau_named("rk4"));
-  const double bound = std::pow(2 * std::numbers::pi, 5) / 120 / 1e12;
-  EXPECT_NEAR(solution.rows[4], 1, bound);
-  EXPECT_NEAR(solution.rows[5], 0, 2 * std::numbers::pi * bound);
+TEST(Equations, OtherNamesAreLookedUpOnceAndConstantsWin) {
+  int asked = 0;
+  const Lookup lookup = [&](std::string_view name) -> std::optional<interexpserv::Value> {
+    asked += name == "spring.k" ? 1 : 0;
+    if (name == "spring.k") return interexpserv::Value::scalar(5);
+    if (name == "wind") return interexpserv::Value::vector(1, 2, 3);
+    if (name == "mass") return interexpserv::Value::scalar(1e9);
+    return {};
+  };
+  const Equations equations(Texts{"x' = spring.k*x/mass", "y' = spring.k + wind.z"}, {{"mass", 2}}, lookup);
+  std::vector<double> rate(2);
+  equations.evaluate(0, std::vector<double>{4, 0}, rate);
+  EXPECT_EQ(rate, (std::vector<double>{10, 8}));
+  EXPECT_EQ(asked, 1);
+}
+
+TEST(Equations, AreDifferentiatedExactly) {
+  const Equations equations(Texts{"x' = x*y + t", "y' = sin(x)", "z' = z^2"}, {});
+  std::vector<double> jacobian(9);
+  equations.differentiate(7, std::vector<double>{2, 3, 5}, jacobian);
+  EXPECT_EQ(jacobian, (std::vector<double>{3, 2, 0, std::cos(2.0), 0, 0, 0, 0, 10}));
+}
+
+TEST(Equations, OtherExpressionsReadTheSameNames) {
+  const Equations equations(Texts{"x' = 1", "y' = 1"}, {{"k", 10}});
+  const auto value = [&](std::string_view text) {
+    return equations.expression(text, "events[0]")(3, std::vector<double>{1, 2});
+  };
+  EXPECT_EQ(value("k*x + y - t"), 9);
+  EXPECT_EQ(value("y = 5"), -3);
+  EXPECT_THROW(value("x >= 5"), Error) << "a comparison does not cross zero";
 }
 
 struct Mistake {

@@ -1,111 +1,258 @@
-// src/fred/integrate.cpp: every method converges with its order to closed forms.
+// src/fred/integrate.cpp: samples, events on the way, checkpoints, and why an integration ends.
 #include "fred/integrate.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
+
+#include "fred/equal_steps.hpp"
+#include "problems.hpp"
 
 namespace animado::fred {
 namespace {
 
-struct Problem {
-  const char* name;
-  Derivative derivative;
-  std::vector<double> start;
-  double t1;
-  std::vector<double> exact;  // at t1
+using testing::ElementsAre;
+
+void oscillate(double, std::span<const double> y, std::span<double> rate) {
+  rate[0] = y[1];
+  rate[1] = -y[0];
+}
+
+EventRule zero_of_x(bool terminal = false, Crossing crossing = Crossing::any) {
+  return {[](double, auto y) { return y[0]; }, crossing, terminal};
+}
+
+TEST(Integrate, SamplesWhereItIsAsked) {
+  Goal goal;
+  goal.times = {0, 0.5, 0.5, 2.25, 3};
+  const Solution solution = adaptively("dop853", oscillate, {1, 0}, 3, 1e-12, goal);
+  ASSERT_EQ(solution.rows.size(), 15u);
+  for (size_t row = 0; row < 5; ++row) {
+    EXPECT_EQ(solution.rows[3 * row], goal.times[row]);
+    EXPECT_NEAR(solution.rows[3 * row + 1], std::cos(goal.times[row]), 1e-10);
+  }
+}
+
+TEST(Integrate, CountsEvaluationsAsTheTableauDoes) {
+  const auto count = [](const std::string& method) {
+    Function f = oscillate;
+    const auto stepper = equal_stepper(method_named(method), problem_of(f, {1, 0}), 0.1);
+    Goal goal;
+    goal.t1 = 1;
+    integrate(*stepper, goal);
+    return stepper->evaluations();
+  };
+  EXPECT_EQ(count("rk4"), 40);
+  EXPECT_EQ(count("dopri5"), 60);
+  EXPECT_EQ(count("dop853"), 120);
+  EXPECT_EQ(count("verlet"), 30);
+}
+
+// Each crossing of cos t is at (k + ½)π: found to 1e-12 where the solution itself is that good.
+TEST(Integrate, LocatesCrossings) {
+  Goal goal;
+  goal.events = {zero_of_x()};
+  const Solution solution = adaptively("dop853", oscillate, {1, 0}, 20, 1e-14, goal);
+  ASSERT_EQ(solution.events.size(), 6u);
+  for (size_t k = 0; k < 6; ++k) {
+    EXPECT_NEAR(solution.events[k].t, (static_cast<double>(k) + 0.5) * std::numbers::pi, 1e-12);
+    EXPECT_EQ(solution.events[k].rising, k % 2 == 1);
+  }
+}
+
+// A clock that crosses at known times: what is left is the error of the search.
+TEST(Integrate, LocatesCrossingsToTheLastBits) {
+  Goal goal;
+  goal.events = {{[](double t, auto) { return std::sin(t); }}};
+  const Solution solution = adaptively("bs23", oscillate, {1, 0}, 20, 1e-3, goal);
+  ASSERT_EQ(solution.events.size(), 6u);
+  for (size_t k = 0; k < 6; ++k) {
+    EXPECT_NEAR(solution.events[k].t, static_cast<double>(k + 1) * std::numbers::pi, 1e-14);
+  }
+}
+
+TEST(Integrate, TellsDirections) {
+  for (const auto crossing : {Crossing::rising, Crossing::falling}) {
+    Goal goal;
+    goal.events = {zero_of_x(false, crossing)};
+    const Solution solution = adaptively("dopri5", oscillate, {1, 0}, 20, 1e-8, goal);
+    ASSERT_EQ(solution.events.size(), 3u);
+    for (const Occurrence& event : solution.events) EXPECT_EQ(event.rising, crossing == Crossing::rising);
+  }
+}
+
+// x' = 1 in one step of length 10: the three crossings lie in one step, and come in order.
+TEST(Integrate, FindsSeveralCrossingsInOneStep) {
+  Goal goal;
+  for (const double at : {7.0, 2.0, 3.5}) goal.events.push_back({[at](double, auto y) { return y[0] - at; }});
+  goal.events[2].terminal = true;
+  const Function one = [](double, auto, auto rate) { rate[0] = 1; };
+  const Solution solution = in_equal_steps("rk4", one, {0}, 10, 1);
+  EXPECT_EQ(solution.steps, 1);
+  Function f = one;
+  const auto stepper = equal_stepper(method_named("rk4"), problem_of(f, {0}), 10);
+  goal.t1 = 10;
+  const Solution found = integrate(*stepper, goal);
+  ASSERT_EQ(found.events.size(), 2u);
+  EXPECT_NEAR(found.events[0].t, 2, 1e-12);
+  EXPECT_NEAR(found.events[1].t, 3.5, 1e-12);
+  EXPECT_EQ(found.stop, Stop::event);
+  EXPECT_EQ(found.t, found.events[1].t);
+}
+
+TEST(Integrate, AZeroAtTheStartIsNoCrossing) {
+  Goal goal;
+  goal.events = {zero_of_x(true)};
+  const Solution solution = adaptively("dopri5", oscillate, {0, 1}, 10, 1e-10, goal);
+  EXPECT_EQ(solution.stop, Stop::event);
+  EXPECT_NEAR(solution.t, std::numbers::pi, 1e-8);
+  // Nor is the crossing that it begins from.
+  const Solution next = adaptively("dopri5", oscillate, solution.y, 10, 1e-10, goal);
+  EXPECT_NEAR(next.t, std::numbers::pi, 1e-8);
+}
+
+// What is interrupted in any way goes on to the same bits.
+class Interrupted : public testing::TestWithParam<std::string> {
+ protected:
+  static constexpr double kEnd = 20;
+
+  std::unique_ptr<Stepper> begin(const Checkpoint* from = nullptr) {
+    const Method& method = method_named(GetParam());
+    const Problem problem = problem_of(f_, {2, 0});
+    std::optional<Adaptive> steps;
+    if (method.is_adaptive()) steps = Adaptive{Tolerance({1e-6}, {1e-6}, 2), 0};
+    if (from) return resumed_stepper(method, problem, *from, steps);
+    return steps ? adaptive_stepper(method, problem, *steps) : equal_stepper(method, problem, kEnd / 777);
+  }
+  static Goal whole() {
+    Goal goal;
+    goal.t1 = kEnd;
+    goal.times = even_times(0, kEnd, 41);
+    goal.events = {zero_of_x()};
+    return goal;
+  }
+  // Both parts together are the whole, bit for bit. The step that an end cut short was another one: what is
+  // inside it agrees to the tolerance.
+  static void expect_same(const Solution& first, const Solution& second, const Solution& all) {
+    std::vector<double> rows = first.rows;
+    rows.insert(rows.end(), second.rows.begin(), second.rows.end());
+    ASSERT_EQ(rows.size(), all.rows.size());
+    for (size_t i = 0; i < rows.size(); ++i) {
+      const double t = all.rows[i / 3 * 3];
+      const bool in_cut_step = first.stop == Stop::end && t > first.checkpoint.t && t <= first.t;
+      EXPECT_NEAR(rows[i], all.rows[i], in_cut_step ? 1e-5 : 0) << "t = " << t;
+    }
+    EXPECT_EQ(second.y, all.y);
+    const auto times = [](const Solution& solution) {
+      std::vector<double> t;
+      for (const Occurrence& event : solution.events) t.push_back(event.t);
+      return t;
+    };
+    std::vector<double> parts = times(first);
+    for (const double t : times(second)) parts.push_back(t);
+    EXPECT_EQ(parts, times(all));
+  }
+  void expect_same_when(const std::function<void(Goal&)>& interrupt, Stop expected) {
+    const Solution all = integrate(*begin(), whole());
+    Goal goal = whole();
+    interrupt(goal);
+    const Solution first = integrate(*begin(), goal);
+    ASSERT_EQ(first.stop, expected);
+    goal = whole();
+    goal.reported_t = first.checkpoint.reported_t;
+    expect_same(first, integrate(*begin(&first.checkpoint), goal), all);
+  }
+
+  // A separable oscillator that is not linear.
+  Function f_ = [](double, auto y, auto rate) { rate[0] = y[1], rate[1] = -std::sin(y[0]); };
 };
 
-const std::vector<Problem>& problems() {
-  static const std::vector<Problem> kProblems = {
-      {"decay", [](double, auto y, auto rate) { rate[0] = -y[0]; }, {1}, 1, {std::exp(-1)}},
-      {"oscillator",
-       [](double, auto y, auto rate) { rate[0] = y[1], rate[1] = -y[0]; },
-       {1, 0},
-       2,
-       {std::cos(2.0), -std::sin(2.0)}},
-      // Not linear and with t on the right: y' = −2 t y², y = 1 / (1 + t²).
-      {"witch", [](double t, auto y, auto rate) { rate[0] = -2 * t * y[0] * y[0]; }, {1}, 1.5, {1 / 3.25}},
-      // Logistic growth, y = 1 / (1 + 4 e^−t).
-      {"logistic",
-       [](double, auto y, auto rate) { rate[0] = y[0] * (1 - y[0]); },
-       {0.2},
-       2,
-       {1 / (1 + 4 * std::exp(-2))}},
-  };
-  return kProblems;
+INSTANTIATE_TEST_SUITE_P(, Interrupted,
+                         testing::Values("rk4", "bs23", "dopri5", "dop853", "verlet", "radau5"),
+                         [](const auto& tested) { return tested.param; });
+
+TEST_P(Interrupted, AfterSomeSteps) {
+  expect_same_when([](Goal& goal) { goal.most_steps = 17; }, Stop::step_limit);
 }
 
-double error_after(const Problem& problem, const Tableau& method, int64_t steps) {
-  const Solution solution = integrate(problem.derivative, problem.start, {0, problem.t1, steps, 0}, method);
-  double error = 0;
-  const size_t size = problem.start.size();
-  for (size_t i = 0; i < size; ++i)
-    error = std::hypot(error, solution.rows[(1 + size) + 1 + i] - problem.exact[i]);
-  return error;
+TEST_P(Interrupted, AtATimeInsideAStep) {
+  expect_same_when([](Goal& goal) { goal.t1 = 7.7; }, Stop::end);
 }
 
-class Convergence : public testing::TestWithParam<std::tuple<Tableau, Problem>> {};
-
-INSTANTIATE_TEST_SUITE_P(, Convergence,
-                         testing::Combine(testing::ValuesIn(tableaus()), testing::ValuesIn(problems())),
-                         [](const auto& tested) {
-                           return std::get<0>(tested.param).name + "_" + std::get<1>(tested.param).name;
-                         });
-
-// Halving the step divides the error by 2^order. 64 and 128 steps: far from rounding, near enough to the
-// limit for a tenth of an order.
-TEST_P(Convergence, HasTheOrderOfTheMethod) {
-  const auto& [method, problem] = GetParam();
-  const double order = std::log2(error_after(problem, method, 64) / error_after(problem, method, 128));
-  EXPECT_NEAR(order, method.order, 0.1);
+TEST_P(Interrupted, ByAnEvent) {
+  expect_same_when([](Goal& goal) { goal.events[0].terminal = true; }, Stop::event);
 }
 
-// t⁰ … t^(order−1) are integrated exactly: the quadrature condition, and the last time is met to the bit.
-TEST_P(Convergence, IntegratesPolynomialsOfItsDegree) {
-  const Tableau& method = std::get<0>(GetParam());
-  const Derivative power = [&](double t, auto, auto rate) {
-    rate[0] = method.order * std::pow(t, method.order - 1);
-  };
-  const Solution solution = integrate(power, std::vector<double>{0}, {0, 0.7, 3, 3}, method);
-  ASSERT_EQ(solution.rows.size(), 8u);
-  EXPECT_EQ(solution.rows[6], 0.7);
-  EXPECT_NEAR(solution.rows[7], std::pow(0.7, method.order), 1e-15);
+TEST(Integrate, StopsAtLimits) {
+  Goal goal;
+  goal.most_time_s = 0;
+  EXPECT_EQ(adaptively("dopri5", oscillate, {1, 0}, 1, 1e-6, goal).stop, Stop::time_limit);
+  goal = {};
+  goal.most_steps = 3;
+  EXPECT_EQ(adaptively("dopri5", oscillate, {1, 0}, 1000, 1e-6, goal).steps, 3);
 }
 
-TEST(Integrate, RunsBackwards) {
-  const Derivative decay = [](double, auto y, auto rate) { rate[0] = -y[0]; };
-  const Solution solution = integrate(decay, std::vector<double>{1}, {1, 0, 100, 0}, tableau_named("rk4"));
-  EXPECT_EQ(solution.rows[2], 0);
-  EXPECT_NEAR(solution.rows[3], std::numbers::e, 1e-9);
-}
-
-TEST(Integrate, SamplesAreSpreadOverTheSteps) {
-  const Derivative one = [](double, auto, auto rate) { rate[0] = 1; };
-  const Solution solution = integrate(one, std::vector<double>{0}, {0, 10, 10, 4}, tableau_named("euler"));
-  EXPECT_EQ(solution.rows, (std::vector<double>{0, 0, 2, 2, 5, 5, 7, 7, 10, 10}));
-  EXPECT_EQ(solution.steps, 10);
-  EXPECT_EQ(solution.evaluations, 10);
+TEST(Integrate, IsCancelledWhenNobodyWaits) {
+  Goal goal;
+  int asked = 0;
+  goal.go_on = [&](double, int64_t) { return ++asked < 3; };
+  EXPECT_EQ(adaptively("bs23", oscillate, {1, 0}, 1e9, 1e-9, goal).stop, Stop::cancelled);
+  EXPECT_EQ(asked, 3);
 }
 
 // y' = y², y = 1 / (1 − t): the pole at 1 lies inside.
-TEST(Integrate, StopsWhereTheSolutionLeavesTheFinite) {
-  const Derivative square = [](double, auto y, auto rate) { rate[0] = y[0] * y[0]; };
-  const Solution solution = integrate(square, std::vector<double>{1}, {0, 4, 400, 0}, tableau_named("rk4"));
-  EXPECT_FALSE(solution.finite);
-  EXPECT_GT(solution.steps, 95);
-  EXPECT_LT(solution.steps, 120);
+TEST(Integrate, StopsAtAPole) {
+  const Function square = [](double, auto y, auto rate) { rate[0] = y[0] * y[0]; };
+  for (const char* method : {"dopri5", "dop853", "radau5"}) {
+    const Solution solution = adaptively(method, square, {1}, 2, 1e-9);
+    EXPECT_EQ(solution.stop, Stop::step_too_small) << method;
+    EXPECT_NEAR(solution.t, 1, 1e-6) << method;
+  }
+  const Solution fixed = in_equal_steps("rk4", square, {1}, 4, 400);
+  EXPECT_EQ(fixed.stop, Stop::not_finite);
+  EXPECT_GT(fixed.steps, 95);
+  EXPECT_LT(fixed.steps, 120);
 }
 
-TEST(Interval, TakesTheFewestStepsThatAreShortEnough) {
-  EXPECT_EQ(Interval::divided(0, 1, 0.1, 0).steps, 10);
-  EXPECT_EQ(Interval::divided(0, 1.1, 0.1, 0).steps, 11);  // 1.1 / 0.1 is 11.000000000000002
-  EXPECT_EQ(Interval::divided(0, 1, 0.3, 0).steps, 4);
-  EXPECT_EQ(Interval::divided(1, 0, 0.25, 0).steps, 4);
-  EXPECT_EQ(Interval::divided(0, 1, 0, 0).steps, 1000);
-  EXPECT_EQ(Interval::divided(0, 1, 0.5, 7).steps, 7);
-  EXPECT_EQ(Interval::divided(2, 2, 0.5, 0).steps, 1);
+TEST(Integrate, StopsWhereTheRateIsNotFinite) {
+  const Function root = [](double, auto y, auto rate) { rate[0] = std::sqrt(y[0]); };
+  const Solution solution = adaptively("dopri5", root, {-1}, 2, 1e-9);
+  EXPECT_EQ(solution.stop, Stop::not_finite);
+  EXPECT_EQ(solution.t, 0);
+}
+
+// Each component has its own tolerance: the one that is asked for nothing costs nothing.
+TEST(Integrate, TolerancesAreOfEachComponent) {
+  const Function two = [](double t, auto y, auto rate) {
+    rate[0] = -y[0];
+    rate[1] = std::cos(50 * t);
+    rate[2] = 0;
+    rate[3] = 0;
+    rate[4] = 0;
+  };
+  const auto steps = [&](double of_the_fast_one) {
+    Function f = two;
+    std::vector<double> absolute(5, 1e-6);
+    absolute[1] = of_the_fast_one;
+    const auto stepper = adaptive_stepper(method_named("dopri5"), problem_of(f, {1, 0, 0, 0, 0}),
+                                          {Tolerance(absolute, {0}, 5), 0});
+    Goal goal;
+    goal.t1 = 1;
+    return integrate(*stepper, goal).steps;
+  };
+  EXPECT_LT(3 * steps(1e6), steps(1e-6));
+}
+
+TEST(EqualTimes, TakesTheFewestStepsThatAreShortEnough) {
+  EXPECT_EQ(EqualTimes::count(0, 1, 0.1, 0), 10);
+  EXPECT_EQ(EqualTimes::count(0, 1.1, 0.1, 0), 11);  // 1.1 / 0.1 is 11.000000000000002
+  EXPECT_EQ(EqualTimes::count(0, 1, 0.3, 0), 4);
+  EXPECT_EQ(EqualTimes::count(1, 0, 0.25, 0), 4);
+  EXPECT_EQ(EqualTimes::count(0, 1, 0, 0), 1000);
+  EXPECT_EQ(EqualTimes::count(0, 1, 0, 7), 1001);  // samples fall on ends of steps
+  EXPECT_EQ(EqualTimes::count(0, 1, 0.5, 7), 7);
+  EXPECT_EQ(EqualTimes::count(2, 2, 0.5, 0), 1);
 }
 
 }  // namespace

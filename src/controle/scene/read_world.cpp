@@ -9,8 +9,9 @@
 namespace animado::controle {
 namespace {
 
-constexpr std::array<std::string_view, 7> kMethods = {"rk4",      "gill", "rk38", "heun3",
-                                                      "midpoint", "heun", "euler"};
+constexpr std::array<std::string_view, 12> kMethods = {"rk4",        "gill",      "rk38",   "heun3",
+                                                       "midpoint",   "heun",      "euler",  "bs23",
+                                                       "fehlberg45", "cash_karp", "dopri5", "dop853"};
 constexpr double kMaxFrames = 1e7;  // ten gigabytes of states.csv for one body: surely a slip in `step`
 
 struct Reader {

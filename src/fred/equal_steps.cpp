@@ -1,0 +1,69 @@
+#include "fred/equal_steps.hpp"
+
+#include <algorithm>
+
+#include "fred/radau.hpp"
+#include "fred/runge_kutta.hpp"
+#include "fred/symplectic.hpp"
+
+namespace animado::fred {
+
+int64_t EqualTimes::count(double t0, double t1, double largest, int64_t samples) {
+  // A quotient that rounding lifted just above a whole number is that number: 1.1 / 0.1 asks for 11 steps.
+  const double wanted = largest > 0 ? std::ceil(std::abs(t1 - t0) / largest * (1 - 0x1p-50)) : 1000;
+  const double group = static_cast<double>(std::max<int64_t>(samples, 1));
+  return static_cast<int64_t>(std::min(std::ceil(std::max(wanted, 1.0) / group) * group, 0x1p62));
+}
+
+template <class Core>
+Stepper::Outcome EqualSteps<Core>::step(double end) {
+  if (pending_) core_.accept();
+  pending_ = false;
+  from_ = t_;
+  ++times_.done;
+  const double next = time();
+  const double past = (next - end) * (times_.step < 0 ? -1 : 1);
+  whole_ = past < 0.01 * std::abs(times_.step);
+  // A step that rounding put beside the end ends there.
+  const bool last = past > -0.01 * std::abs(times_.step);
+  const double h = last ? end - from_ : times_.step;
+  const bool converged = core_.attempt(from_, last && whole_ ? times_.step : h);
+  const auto finite = [](double v) { return std::isfinite(v); };
+  if (!converged || !std::ranges::all_of(core_.end(), finite)) {
+    --times_.done;
+    return converged ? Outcome::not_finite : Outcome::step_too_small;
+  }
+  t_ = last ? end : next;
+  pending_ = true;
+  return Outcome::stepped;
+}
+
+template <class Core>
+void EqualSteps<Core>::interpolate(double t, std::span<double> out) {
+  if (t == t_ || !pending_) {
+    std::ranges::copy(y(), out.begin());
+  } else {
+    core_.interpolate((t - from_) / (t_ - from_), out);
+  }
+}
+
+template <class Core>
+Checkpoint EqualSteps<Core>::checkpoint(bool at_start) {
+  Checkpoint point;
+  const bool start = at_start || !pending_;
+  point.method = method_;
+  point.t = start ? from_ : t_;
+  point.control.step = times_.step;
+  point.origin = times_.origin;
+  point.steps = times_.done - (start && pending_ ? 1 : 0);
+  const auto y = start ? core_.y() : core_.end();
+  point.y.assign(y.begin(), y.end());
+  if (const auto rate = core_.known_rate(start); !rate.empty()) point.rate.assign(rate.begin(), rate.end());
+  return point;
+}
+
+template class EqualSteps<RungeKutta>;
+template class EqualSteps<Symplectic>;
+template class EqualSteps<Radau>;
+
+}  // namespace animado::fred

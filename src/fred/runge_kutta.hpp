@@ -1,0 +1,64 @@
+// One step of an explicit Runge–Kutta method, with its error and what lies inside it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fred/control.hpp"
+#include "fred/derivative.hpp"
+#include "fred/lanes.hpp"
+#include "fred/tableau.hpp"
+
+namespace animado::fred {
+
+class RungeKutta {
+ public:
+  // The derivative is kept and called later.
+  RungeKutta(const Tableau& method, Derivative derivative, std::span<const double> start);
+
+  size_t size() const { return size_; }
+  const Tableau& method() const { return method_; }
+  std::span<const double> y() const { return {y_, size_}; }      // at the start of the step
+  std::span<const double> end() const { return {end_, size_}; }  // where the last try arrived
+  int64_t evaluations() const { return evaluations_; }
+
+  // f at the start; evaluated when it is not known yet.
+  std::span<const double> rate(double t);
+  void set_rate(std::span<const double> rate);
+  // f at the start, or at the end of the last try; empty where it was not needed yet.
+  std::span<const double> known_rate(bool at_start) const;
+
+  // Computes the end of a step from (t, y), which always works. It may be tried again with another length.
+  bool attempt(double t, double h);
+
+  // Of the last try: its estimated error over the tolerance, root mean square over the elements (the DOP853
+  // combination of two estimates where the method has them). At most 1 is acceptable.
+  double error(const Tolerance& tolerance);
+
+  // The solution at t + θ h, θ in [0, 1], of the last try. May need further evaluations, once a try.
+  void interpolate(double theta, std::span<double> out);
+
+  // The end becomes the start.
+  void accept();
+
+ private:
+  void evaluate(size_t s);
+  void combine(size_t s, double* out);
+  void evaluate_end();
+  void prepare_dense();
+
+  const Tableau& method_;
+  Derivative derivative_;
+  const LaneKernels& kernels_;
+  size_t size_, padded_;
+  std::unique_ptr<double[], void (*)(void*)> memory_;
+  std::vector<double*> k_;  // rows of derivatives
+  double *y_, *end_, *stage_;
+  std::vector<Sum> sums_;  // of each derivative that is evaluated, the weights at `stages`
+  std::vector<Sum> error_sums_;
+  double t_ = 0, h_ = 0;
+  bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false;
+  int64_t evaluations_ = 0;
+};
+
+}  // namespace animado::fred
