@@ -29,6 +29,7 @@ void add_snapshot_command(CommandLine& line);
 void add_restore_command(CommandLine& line);
 void add_eval_command(CommandLine& line);
 void add_watch_command(CommandLine& line);
+void add_integrate_command(CommandLine& line);
 void add_call_command(CommandLine& line);
 void add_solve_command(CommandLine& line);
 void add_protocol_command(CommandLine& line);

@@ -72,22 +72,15 @@ double square_error(const double* y, const double* end, const double* const* k, 
   return (total[0] + total[1]) + (total[2] + total[3]);
 }
 
-template <int kTerms>
-void combine_of(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t size) {
-  if (sum.count == kTerms) return combine<kTerms>(y, k, sum, h, out, size);
-  if constexpr (kTerms < kMostTerms) combine_of<kTerms + 1>(y, k, sum, h, out, size);
-}
-
-template <int kTerms>
-double square_error_of(const double* y, const double* end, const double* const* k, const Sum& sum,
-                       const ErrorScale& scale, size_t size) {
-  if (sum.count == kTerms) return square_error<kTerms>(y, end, k, sum, scale, size);
-  if constexpr (kTerms < kMostTerms) return square_error_of<kTerms + 1>(y, end, k, sum, scale, size);
-  return 0;
-}
-
 }  // namespace
 
-const LaneKernels ANIMADO_LANE_KERNELS = {combine_of<1>, square_error_of<1>};
+#define ANIMADO_OF_EACH_COUNT(kernel)                                                                 \
+  {                                                                                                   \
+    nullptr, kernel<1>, kernel<2>, kernel<3>, kernel<4>, kernel<5>, kernel<6>, kernel<7>, kernel<8>,  \
+        kernel<9>, kernel<10>, kernel<11>, kernel<12>, kernel<13>, kernel<14>, kernel<15>, kernel<16> \
+  }
+
+const LaneKernels ANIMADO_LANE_KERNELS = {ANIMADO_OF_EACH_COUNT(combine),
+                                          ANIMADO_OF_EACH_COUNT(square_error)};
 
 }  // namespace animado::fred

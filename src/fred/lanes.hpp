@@ -23,14 +23,15 @@ struct ErrorScale {
   size_t stride;
 };
 
+// One kernel for each number of terms, so that the loop over them is unrolled; [0] is not used.
 struct LaneKernels {
   // out = y + h sum. `out` is apart from what is read.
-  void (*combine)(const double* y, const double* const* k, const Sum& sum, double h, double* out,
-                  size_t size);
-  // Σ_i (sum_i / scale_i)², in the order of four running sums, whatever the width of a register. `size`
-  // counts the elements in use; beyond them derivatives are 0.
-  double (*square_error)(const double* y, const double* end, const double* const* k, const Sum& sum,
-                         const ErrorScale& scale, size_t size);
+  void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
+                                  double* out, size_t size);
+  // Σ_i (sum_i / scale_i)², in the order of four running sums, whatever the width of a register. Elements
+  // beyond those in use have derivatives 0.
+  double (*square_error[kMostTerms + 1])(const double* y, const double* end, const double* const* k,
+                                         const Sum& sum, const ErrorScale& scale, size_t size);
 };
 
 extern const LaneKernels kLanesSse2, kLanesAvx2;

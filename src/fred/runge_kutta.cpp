@@ -60,7 +60,7 @@ RungeKutta::RungeKutta(const Tableau& method, Derivative derivative, std::span<c
 }
 
 void RungeKutta::combine(size_t s, double* out) {
-  kernels_.combine(y_, k_.data(), sums_[s], h_, out, padded_);
+  kernels_.combine[sums_[s].count](y_, k_.data(), sums_[s], h_, out, padded_);
 }
 
 void RungeKutta::evaluate(size_t s) {
@@ -110,7 +110,7 @@ double RungeKutta::error(const Tolerance& tolerance) {
   if (method_.error_reads_end()) evaluate_end();
   const ErrorScale scale = {tolerance.absolute.data(), tolerance.relative.data(), tolerance.stride()};
   const auto square = [&](const Sum& sum) {
-    return kernels_.square_error(y_, end_, k_.data(), sum, scale, padded_);
+    return kernels_.square_error[sum.count](y_, end_, k_.data(), sum, scale, padded_);
   };
   double squares[2] = {};
   for (size_t i = 0; i < error_sums_.size(); ++i) squares[i] = square(error_sums_[i]);
@@ -130,7 +130,8 @@ void RungeKutta::prepare_dense() {
 void RungeKutta::interpolate(double theta, std::span<double> out) {
   prepare_dense();
   const DenseWeights weights = dense_weights(method_, theta);
-  kernels_.combine(y_, k_.data(), sum_of(weights.rates), h_, stage_, padded_);
+  const Sum sum = sum_of(weights.rates);
+  kernels_.combine[sum.count](y_, k_.data(), sum, h_, stage_, padded_);
   for (size_t i = 0; i < size_; ++i) out[i] = stage_[i] + weights.difference * (end_[i] - y_[i]);
 }
 
