@@ -5,9 +5,9 @@
 namespace animado::controle {
 namespace {
 
-// Error a second that a step may make, relative to 1 + |y|. Over the 100 s of a long scene it adds up to
-// 1e-9, what a table printed with nine decimals can show; rounding alone makes about 1e-13 a second at a
-// thousand steps a second.
+// Error a second that a step may make, relative to 1 + |y|, when the scene gives no `tolerance`. Over the 100
+// s of a long scene it adds up to 1e-9, what a table printed with nine decimals can show; rounding alone
+// makes about 1e-13 a second at a thousand steps a second.
 constexpr double kToleranceRate = 1e-11;
 
 constexpr double kLongest_s = 1.0 / 60;  // a force that changes within a frame should not be stepped over
@@ -17,10 +17,12 @@ constexpr int kMostTrials = 6;
 
 }  // namespace
 
-StepSize::StepSize(FreeMotion& motion, size_t bodies, std::optional<double> given_s)
+StepSize::StepSize(FreeMotion& motion, size_t bodies, std::optional<double> given_s,
+                   std::optional<double> tolerance)
     : motion_(motion),
       bodies_(bodies),
       order_(motion.order()),
+      tolerance_rate_(tolerance.value_or(kToleranceRate)),
       given_s_(given_s),
       last_s_(kLongest_s),
       whole_(motion.make_state("trial_whole")),
@@ -51,8 +53,8 @@ size_t StepSize::steps(const Lanes& state, double time_s, double interval_s, dou
   double step_s = std::min({2 * last_s_, kLongest_s, interval_s, most_s});
   for (int trial = 0; trial < kMostTrials; ++trial) {
     const double rate = error_rate(state, time_s, step_s);
-    if (rate <= kToleranceRate) break;
-    const double factor = kSafety * std::pow(kToleranceRate / rate, 1.0 / order_);
+    if (rate <= tolerance_rate_) break;
+    const double factor = kSafety * std::pow(tolerance_rate_ / rate, 1.0 / order_);
     step_s = std::max(kShortest_s, step_s * std::min(factor, 0.9));
   }
   last_s_ = step_s;

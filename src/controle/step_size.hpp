@@ -8,7 +8,9 @@ namespace animado::controle {
 
 class StepSize {
  public:
-  StepSize(FreeMotion& motion, size_t bodies, std::optional<double> given_s);
+  // given_s: a length that the scene fixes. tolerance: error a second, relative to 1 + |y|; chosen here when
+  // missing.
+  StepSize(FreeMotion& motion, size_t bodies, std::optional<double> given_s, std::optional<double> tolerance);
 
   // The number of equal steps to cut the interval into. A step is compared with two of half its length from
   // `state` at time_s; the largest one whose error a second, relative to 1 + |y|, stays under the tolerance
@@ -21,6 +23,7 @@ class StepSize {
   FreeMotion& motion_;
   size_t bodies_;
   int order_;
+  double tolerance_rate_;
   std::optional<double> given_s_;
   double last_s_;  // where the search begins
   Lanes whole_, half_, halves_;

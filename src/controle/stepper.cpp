@@ -45,7 +45,7 @@ Stepper::Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMoti
       colisao_(colisao),
       meter_(meter),
       report_(std::move(report)),
-      step_size_(motion, scene.bodies.size(), scene.world.substep_s),
+      step_size_(motion, scene.bodies.size(), scene.world.substep_s, scene.world.tolerance),
       bodies_(scene.bodies.size()),
       collides_(scene.bodies.size() > 1 && scene.world.response != Response::spring),
       time_s_(scene.time.start_s),
