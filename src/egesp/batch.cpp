@@ -10,38 +10,21 @@
 namespace animado::egesp {
 namespace {
 
-constexpr size_t kGathered =
-    64;  // systems interleaved at a time: 6×6 ones fit the L1 cache, 32×32 ones the L2 cache
 constexpr size_t kChunk = 512;  // interleaved systems between two looks at what was refused
-
-using Kernel = void (*)(const LaneBatch&);
-
-Kernel kernel_for(InstructionSet instructions) {
-  switch (instructions) {
-    case InstructionSet::avx512:
-      return solve_lanes_avx512;
-    case InstructionSet::avx2:
-      return solve_lanes_avx2;
-    default:
-      return solve_lanes_sse2;
-  }
-}
 
 class Solver {
  public:
   Solver(const Batch& batch, const PivotRule& rule) : batch_(batch), rule_(rule) {}
 
   std::vector<Refusal> run(InstructionSet instructions) {
-    const bool wide = instructions != InstructionSet::scalar && !rule_.complete && batch_.n <= kLaneSize &&
-                      batch_.m <= kLaneSize;
-    if (!wide) {
+    if (instructions == InstructionSet::scalar || batch_.n > kLaneSize || batch_.m > kLaneSize) {
       for (size_t s = 0; s < batch_.count; ++s) solve_alone(s);
     } else {
-      kernel_ = kernel_for(instructions);
+      solve_lanes_ = lane_kernels(instructions).solve;
       const size_t in_place = batch_.interleaved ? batch_.count / kLaneGroup * kLaneGroup : 0;
       for (size_t s = 0; s < in_place; s += kChunk) solve_in_place(s, std::min(kChunk, in_place - s));
-      for (size_t s = in_place; s < batch_.count; s += kGathered)
-        solve_gathered(s, std::min(kGathered, batch_.count - s));
+      for (size_t s = in_place; s < batch_.count; s += kLaneGroup)
+        solve_gathered(s, std::min(kLaneGroup, batch_.count - s));
     }
     return std::move(refusals_);
   }
@@ -61,19 +44,20 @@ class Solver {
             count,
             static_cast<int>(batch_.n),
             static_cast<int>(batch_.m),
+            rule_.complete,
             rule_.tolerance(batch_.n)};
   }
 
   void solve_in_place(size_t first, size_t count) {
-    kernel_(lanes(batch_.matrices.data() + first, batch_.right_sides.data() + first,
-                  batch_.solutions.data() + first, batch_.count, count));
+    solve_lanes_(lanes(batch_.matrices.data() + first, batch_.right_sides.data() + first,
+                       batch_.solutions.data() + first, batch_.count, count));
     revisit_refused(first, count);
   }
 
-  // The last system fills the lanes that are left over.
+  // A group at a time, which stays in the L1 cache. The last system fills the lanes that are left over.
   void solve_gathered(size_t first, size_t count) {
     const size_t matrix = batch_.n * batch_.n, side = batch_.n * batch_.m;
-    const size_t stride = (count + kLaneGroup - 1) / kLaneGroup * kLaneGroup;
+    constexpr size_t stride = kLaneGroup;
     matrices_.resize(matrix * stride);
     right_sides_.resize(side * stride);
     solutions_.resize(side * stride);
@@ -82,7 +66,7 @@ class Solver {
       for (size_t e = 0; e < matrix; ++e) matrices_[e * stride + lane] = batch_.matrices[at(s, e, matrix)];
       for (size_t e = 0; e < side; ++e) right_sides_[e * stride + lane] = batch_.right_sides[at(s, e, side)];
     }
-    kernel_(lanes(matrices_.data(), right_sides_.data(), solutions_.data(), stride, stride));
+    solve_lanes_(lanes(matrices_.data(), right_sides_.data(), solutions_.data(), stride, stride));
     for (size_t lane = 0; lane < count; ++lane) {
       for (size_t e = 0; e < side; ++e)
         batch_.solutions[at(first + lane, e, side)] = solutions_[e * stride + lane];
@@ -113,13 +97,19 @@ class Solver {
 
   const Batch& batch_;
   const PivotRule& rule_;
-  Kernel kernel_ = nullptr;
+  void (*solve_lanes_)(const LaneBatch&) = nullptr;
   std::array<long long, kChunk> solved_;
   std::vector<double> matrices_, right_sides_, solutions_;  // scratch
   std::vector<Refusal> refusals_;
 };
 
 }  // namespace
+
+LaneKernels lane_kernels(InstructionSet instructions) {
+  assert(instructions != InstructionSet::scalar);
+  if (instructions == InstructionSet::avx512) return lanes_avx512();
+  return instructions == InstructionSet::avx2 ? lanes_avx2() : lanes_sse2();
+}
 
 std::vector<Refusal> solve_batch(const Batch& batch, const PivotRule& rule, InstructionSet instructions) {
   assert(batch.matrices.size() == batch.count * batch.n * batch.n);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "egesp/instruction_set.hpp"
+#include "egesp/lanes.hpp"
 #include "egesp/pivot_rule.hpp"
 
 namespace animado::egesp {
@@ -23,6 +24,8 @@ struct Refusal {
   size_t system;
   size_t pivot;  // the index of the refused pivot; n when all were accepted and the solution overflowed
 };
+
+LaneKernels lane_kernels(InstructionSet instructions);  // of any but scalar
 
 // The systems that were refused, in order; the others are solved whatever happened to these. Numbers that are
 // not finite make their system refused.

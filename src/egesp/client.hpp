@@ -1,10 +1,44 @@
 // EGESP as other modules see it: typed calls over a channel.
 #pragma once
 
+#include "base/error.hpp"
 #include "egesp/protocol.hpp"
 #include "rpc/channel.hpp"
 
 namespace animado::egesp {
+
+// Matrices that are prepared when they are first needed, and again when the server was restarted and does not
+// know them any more. The arrays of the request must keep their numbers until the last solve.
+class PreparedSystems {
+ public:
+  PreparedSystems(rpc::Channel& channel, Prepare::Request matrices)
+      : channel_(channel), matrices_(std::move(matrices)) {}
+
+  // The request needs no handle: it is filled in.
+  SolvePrepared::Reply solve(SolvePrepared::Request& request) {
+    if (!prepared_) prepare();
+    request.handle = handle_;
+    try {
+      return channel_.call<SolvePrepared>(request);
+    } catch (const Error& error) {
+      if (error.code() != Code::unknown_handle) throw;
+    }
+    prepare();
+    request.handle = handle_;
+    return channel_.call<SolvePrepared>(request);
+  }
+
+ private:
+  void prepare() {
+    handle_ = channel_.call<Prepare>(matrices_).handle;
+    prepared_ = true;
+  }
+
+  rpc::Channel& channel_;
+  Prepare::Request matrices_;
+  int64_t handle_ = 0;
+  bool prepared_ = false;
+};
 
 class Client {
  public:

@@ -3,6 +3,7 @@
 // process; it is never used twice.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -41,12 +42,20 @@ class Handles {
  private:
   using Owned = std::map<int64_t, std::unique_ptr<Kept>>;
 
+  // Numbers go on from the time at the start: a client of several handles that comes back to a restarted
+  // server must not meet one of them under the number of another.
+  static int64_t microseconds_now() {
+    return std::chrono::duration_cast<std::chrono::microseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+  }
+
   Kept* find_any(uint64_t owner, int64_t handle) const;
   [[noreturn]] static void refuse(int64_t handle, std::string_view kind);
   static size_t bytes(const Owned& owned);
 
   std::map<uint64_t, Owned> owners_;
-  int64_t last_ = 0;
+  int64_t last_ = microseconds_now();
 };
 
 }  // namespace animado::egesp

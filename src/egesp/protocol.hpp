@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "egesp/protocol.accuracy.hpp"
+#include "egesp/protocol.batch.hpp"
 #include "egesp/protocol.handles.hpp"
 #include "egesp/protocol.least_squares.hpp"
+#include "egesp/protocol.prepared.hpp"
 #include "egesp/protocol.sparse.hpp"
 #include "rpc/message.hpp"
 
@@ -15,25 +17,13 @@ namespace animado::egesp {
 using rpc::Array;
 using namespace std::string_view_literals;
 
-enum class Pivoting { partial, complete };
-constexpr auto names(const Pivoting*) {
-  return std::array{"partial"sv, "complete"sv};
-}
-
-// How a batch lies in memory. systems: one system after the other, shape (count, n, n). lanes: element by
-// element, shape (n, n, count), so that neighbouring numbers belong to neighbouring systems and one
-// instruction serves several.
-enum class Layout { systems, lanes };
-constexpr auto names(const Layout*) {
-  return std::array{"systems"sv, "lanes"sv};
-}
-
 struct Solve {
   static constexpr auto name = "solve"sv;
   static constexpr auto doc =
       "Solves A X = B for a batch of systems of one size by Gauss–Jordan elimination with pivoting. A "
       "singular system is an "
-      "error (code singular) that names its index in the batch, the pivot reached and the size. Small "
+      "error (code singular) that names its index in the batch, the pivot reached and the size, unless the "
+      "request asks that it be reported. Small "
       "systems go several at "
       "a time, large ones in blocks; the bits are the same."sv;
   struct Request {
@@ -41,6 +31,7 @@ struct Solve {
     Pivoting pivoting = Pivoting::partial;
     double threshold = 0;
     Layout layout = Layout::systems;
+    OnSingular on_singular = OnSingular::error;
     std::optional<Array> out;
     bool residual = false, condition = false, refine = false;
     template <class Self, class F>
@@ -58,6 +49,9 @@ struct Solve {
             "only what is lost in rounding (n · 2⁻⁵²)",
             rpc::kDefault);
       field("layout", s.layout, "systems or lanes", rpc::kDefault);
+      field("on_singular", s.on_singular,
+            "error, or report: systems without a solution are listed, their X is NaN, and the others are solved",
+            rpc::kDefault);
       field("out", s.out, "shared array for X, the shape of right_sides; inline reply when missing");
       field("residual", s.residual, "tell the backward error of each system", rpc::kDefault);
       field("condition", s.condition, "tell the reciprocal condition of each system", rpc::kDefault);
@@ -67,10 +61,12 @@ struct Solve {
   };
   struct Reply {
     Array solutions;
+    std::vector<RefusedSystem> refused = {};
     std::optional<Accuracy> accuracy = {};
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("solutions", s.solutions, "X, the shape of right_sides");
+      field("refused", s.refused, "on request: the systems without a solution, in order", rpc::kDefault);
       field("accuracy", s.accuracy, "on request");
     }
   };
@@ -145,7 +141,7 @@ struct Rank {
   };
 };
 
-using Messages = std::tuple<Solve, Invert, Determinant, Rank, LeastSquares, SparseSolve, SparsePrepare,
+using Messages = std::tuple<Solve, Prepare, SolvePrepared, Refactor, Invert, Determinant, Rank, LeastSquares, SparseSolve, SparsePrepare,
                             SparseRefactor, SparseSolvePrepared, Release>;
 
 }  // namespace animado::egesp

@@ -11,6 +11,40 @@
 #include "egesp/batch_shape.hpp"
 
 namespace animado::egesp {
+namespace {
+
+[[noreturn]] void refuse_system(const Refusal& refusal, size_t refused, size_t count, size_t n,
+                                const PivotRule& rule) {
+  const std::string where = fmt::format("matrices[{}]", refusal.system);
+  const std::string others = refused > 1 ? fmt::format("; {} more are refused", refused - 1) : "";
+  if (refusal.pivot == n) {
+    throw Error(Code::not_finite,
+                fmt::format("the solution of system {} of {} overflows{}", refusal.system, count, others),
+                where, "scale its equations");
+  }
+  throw Error(Code::singular,
+              fmt::format("system {} of {} is singular: pivot {} of size {} is not larger than {:.3g} times "
+                          "its largest element{}",
+                          refusal.system, count, refusal.pivot, n, rule.tolerance(n), others),
+              where,
+              "look for equations that depend on each other; a smaller threshold accepts smaller pivots");
+}
+
+}  // namespace
+
+PivotRule checked_rule(Pivoting pivoting, double threshold) {
+  return {pivoting == Pivoting::complete, checked_threshold(threshold)};
+}
+
+std::vector<RefusedSystem> reported(const std::vector<Refusal>& refusals, OnSingular on_singular,
+                                    size_t count, size_t n, const PivotRule& rule) {
+  if (!refusals.empty() && on_singular == OnSingular::error)
+    refuse_system(refusals.front(), refusals.size(), count, n, rule);
+  std::vector<RefusedSystem> systems;
+  for (const Refusal& refusal : refusals)
+    systems.push_back({static_cast<int64_t>(refusal.system), static_cast<int64_t>(refusal.pivot)});
+  return systems;
+}
 
 double checked_threshold(double threshold) {
   if (threshold >= 0 && threshold < 1) return threshold;

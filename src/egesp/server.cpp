@@ -19,27 +19,6 @@
 namespace animado::egesp {
 namespace {
 
-PivotRule checked_rule(Pivoting pivoting, double threshold) {
-  return {pivoting == Pivoting::complete, checked_threshold(threshold)};
-}
-
-[[noreturn]] void refuse_system(const Refusal& refusal, size_t refused, size_t count, size_t n,
-                                const PivotRule& rule) {
-  const std::string where = fmt::format("matrices[{}]", refusal.system);
-  const std::string others = refused > 1 ? fmt::format("; {} more are refused", refused - 1) : "";
-  if (refusal.pivot == n) {
-    throw Error(Code::not_finite,
-                fmt::format("the solution of system {} of {} overflows{}", refusal.system, count, others),
-                where, "scale its equations");
-  }
-  throw Error(Code::singular,
-              fmt::format("system {} of {} is singular: pivot {} of size {} is not larger than {:.3g} times "
-                          "its largest element{}",
-                          refusal.system, count, refusal.pivot, n, rule.tolerance(n), others),
-              where,
-              "look for equations that depend on each other; a smaller threshold accepts smaller pivots");
-}
-
 Solve::Reply solve(const Solve::Request& request, rpc::Call& call) {
   const PivotRule rule = checked_rule(request.pivoting, request.threshold);
   const bool interleaved = request.layout == Layout::lanes;
@@ -54,13 +33,13 @@ Solve::Reply solve(const Solve::Request& request, rpc::Call& call) {
   Examination examination;
   const auto refusals =
       questions.any() ? solve_examined(batch, rule, questions, examination) : solve_batch(batch, rule);
-  if (!refusals.empty()) {
+  if (!refusals.empty() && request.on_singular == OnSingular::error) {
     // Numbers that are not finite end in a refusal too: they are looked for only then.
     refuse_infinite(matrices, "matrices");
     refuse_infinite(sides, "right_sides");
-    refuse_system(refusals.front(), refusals.size(), shape.count, n, rule);
   }
-  Solve::Reply reply{std::move(solutions).take()};
+  Solve::Reply reply{std::move(solutions).take(),
+                     reported(refusals, request.on_singular, shape.count, n, rule)};
   if (questions.any()) {
     reply.accuracy =
         accuracy_of(std::move(examination.backward_errors), std::move(examination.reciprocal_conditions));
@@ -80,7 +59,7 @@ Invert::Reply invert_all(const Invert::Request& request, rpc::Call& call) {
   for (size_t s = 0; s < shape.count; ++s) {
     std::ranges::copy(matrices.subspan(s * n * n, n * n), scratch.begin());
     const Elimination outcome = invert(scratch, inverses.values().subspan(s * n * n, n * n), n, rule);
-    if (!outcome.solved()) refuse_system({s, outcome.pivots}, 1, shape.count, n, rule);
+    if (!outcome.solved()) reported({{s, outcome.pivots}}, OnSingular::error, shape.count, n, rule);
     determinants.push_back(outcome.determinant);
   }
   return {std::move(inverses).take(), std::move(determinants)};
@@ -122,6 +101,7 @@ void fill_table(rpc::Service& service, rpc::Suite&) {
   const auto handles = std::make_shared<Handles>();
   service.on<Solve>(solve).on<Invert>(invert_all).on<Determinant>(determinants).on<Rank>(ranks);
   add_least_squares(service);
+  add_prepared(service, handles);
   add_sparse(service, handles);
   service.on<Release>([handles](const Release::Request& request, rpc::Call& call) {
     handles->release(call.connection(), request.handle);

@@ -9,6 +9,7 @@
 namespace animado::egesp {
 
 void add_least_squares(rpc::Service& service);
+void add_prepared(rpc::Service& service, const std::shared_ptr<Handles>& handles);
 void add_sparse(rpc::Service& service, const std::shared_ptr<Handles>& handles);
 
 }  // namespace animado::egesp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,12 @@ inline std::vector<double> random_numbers(Uniform& uniform, size_t count) {
   std::vector<double> numbers(count);
   for (double& v : numbers) v = uniform(-1, 1);
   return numbers;
+}
+
+inline std::vector<uint64_t> bits(const std::vector<double>& numbers) {
+  std::vector<uint64_t> raw;
+  for (double v : numbers) raw.push_back(std::bit_cast<uint64_t>(v));
+  return raw;
 }
 
 inline std::vector<double> hilbert(size_t n) {
