@@ -2,7 +2,6 @@
 // other and pipelined, with and without a store; a hundred watchers; a million names. The peer is an empty
 // call (RoundTripPing): what is above it is the registry's own.
 #include <benchmark/benchmark.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -14,6 +13,7 @@
 #include "interexpserv/names.hpp"
 #include "interexpserv/store.hpp"
 #include "rpc/socket_suite.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::bench {
 namespace {
@@ -23,19 +23,6 @@ using namespace interexpserv;
 
 constexpr int kNames = 1000;
 constexpr int kBatch = 1000;
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "animado-bench-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 enum class Kept { in_memory, in_store };
 
@@ -63,7 +50,7 @@ class Registry {
     return words;
   }
 
-  Folder folder_;
+  TemporaryDirectory folder_;
   Child process_;
   rpc::SocketSuite suite_ = connect();
   Client client_;
@@ -196,7 +183,7 @@ void fill(Names& names, int count) {
 void RegistryManyNames(benchmark::State& state, Kept kept) {
   const auto count = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     const auto store =
         kept == Kept::in_store ? std::make_unique<Store>(folder.path() / "names.sqlite") : nullptr;
     const int64_t before = resident_bytes();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <list>
 #include <set>
 #include <thread>
 
@@ -140,10 +141,10 @@ TEST_F(RegistryOfSuite, ReplicasTakeTurnsAndADeadOneIsNotFound) {
   const auto never = [] { return false; };
   ASSERT_TRUE(wait_until([&] { return of_egesp().size() == 3; }, never));
   // Three that look it up get three servers, and stay with them.
-  std::vector<rpc::SocketSuite> users;
+  std::list<rpc::SocketSuite> users;
   std::multiset<int64_t> pids;
   for (int i = 0; i < 3; ++i) {
-    users.push_back(connect());
+    users.emplace_back(connect());
     pids.insert(users.back().channel("egesp").call<rpc::Statistics>({}).pid);
   }
   EXPECT_EQ(pids, of_egesp());
