@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "base/fold.hpp"
 #include "base/nearest_name.hpp"
@@ -42,6 +43,15 @@ std::string checked(const std::string& written, bool may_be_t = false) {
   return name;
 }
 
+// "f(x)" defined as "x^2" is f defined as "(x) = x^2".
+NamedText as_stored(const NamedText& definition) {
+  const size_t open = definition.name.find('(');
+  if (open == std::string::npos) return definition;
+  const size_t end = open == 0 ? std::string::npos : definition.name.find_last_not_of(' ', open - 1);
+  return {definition.name.substr(0, end == std::string::npos ? 0 : end + 1),
+          definition.name.substr(open) + " = " + definition.text};
+}
+
 [[noreturn]] void refuse_needed(const ExpressionError& error) {
   throw Error(Code::conflict, fmt::format("{} needs what is to be removed", error.where()), error.where(),
               "redefine it first, or remove it in the same request");
@@ -70,15 +80,15 @@ std::string folded_prefix(std::string_view written) {
 // --- requests
 
 void Names::add_definitions(std::span<const NamedText> definitions, Edits& edits) const {
-  for (const NamedText& definition : definitions) {
-    const std::string name = checked(definition.name);
+  for (const auto& [written, text] : definitions | std::views::transform(as_stored)) {
+    const std::string name = checked(written);
     const Entry* known = find(name);
     if (known && known->now.kind == Revision::Kind::binding) {
       throw Error(Code::conflict,
                   fmt::format("`{}` is live: its value is what a running program publishes", name), name,
                   "define what it follows from, as a force, or wait for the end of the run");
     }
-    if (!edits.try_emplace(name, Revision{.text = definition.text}).second) {
+    if (!edits.try_emplace(name, Revision{.text = text}).second) {
       throw Error(Code::bad_params, fmt::format("`{}` is defined twice in one request", name), name,
                   "define it once");
     }

@@ -35,6 +35,9 @@ Value Names::run(const Program& program, const Numbers& numbers) const {
 
 void Names::read(const Input& input, const Numbers& numbers, double* out) const {
   const Entry* entry = find(input.name);
+  if (!entry && input.name != "t") {
+    throw Error(Code::unavailable, "a function has no value by itself", input.name, "call it: f(2)");
+  }
   if (!entry) {  // only t may be used before it is bound
     throw Error(Code::unavailable, "t has no value: no run is going", input.name,
                 "start a run, or leave t out");

@@ -2,8 +2,25 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstring>
+
+#include "interexpserv/elementary.hpp"
 
 namespace animado::interexpserv {
+
+Program::Program(std::string text, CompiledCode code) : text_(std::move(text)), code_(std::move(code)) {
+  if (code_.instructions.size() != 1) return;
+  const Instruction& i = code_.instructions[0];
+  single_ = code_.result.type != Type::vector &&
+            (i.op == Op::add || i.op == Op::subtract || i.op == Op::multiply || i.op == Op::divide);
+  const size_t constants = code_.constants.size();
+  const auto source = [&](Register r) {
+    return r < constants ? Source{code_.constants[r], -1} : Source{0, static_cast<int>(r - constants)};
+  };
+  op_ = i.op;
+  if (single_) a_ = source(i.a), b_ = source(i.b);
+}
 
 Value Program::constant() const {
   assert(is_constant());
@@ -12,32 +29,66 @@ Value Program::constant() const {
   return value;
 }
 
-void Program::evaluate(const double* inputs, double* out) const noexcept {
+// The commonest operations are spelt out: a call costs as much as they do.
+void Program::evaluate_many(const double* inputs, double* out) const noexcept {
   double r[kMaxRegisters];
-  double* next = std::copy(code_.constants.begin(), code_.constants.end(), r);
-  next = std::copy(inputs, inputs + code_.input_count, next);
-  for (const Instruction& i : code_.instructions) *next++ = value_of(i.op, r[i.a], r[i.b], r[i.c]);
+  double* next = r;
+  for (const double constant : code_.constants) *next++ = constant;
+  for (const double *input = inputs, *end = inputs + code_.input_count; input != end;) *next++ = *input++;
+  for (const Instruction& i : code_.instructions) {
+    switch (i.op) {
+      case Op::add:
+        r[i.out] = r[i.a] + r[i.b];
+        break;
+      case Op::subtract:
+        r[i.out] = r[i.a] - r[i.b];
+        break;
+      case Op::multiply:
+        r[i.out] = r[i.a] * r[i.b];
+        break;
+      case Op::divide:
+        r[i.out] = r[i.a] / r[i.b];
+        break;
+      case Op::sqrt:
+        r[i.out] = std::sqrt(r[i.a]);
+        break;
+      case Op::less:
+        r[i.out] = r[i.a] < r[i.b];
+        break;
+      case Op::both:
+        r[i.out] = (r[i.a] != 0) & (r[i.b] != 0);
+        break;
+      case Op::select:
+        r[i.out] = r[r[i.a] != 0 ? i.b : i.c];
+        break;
+      case Op::sine:
+        r[i.out] = sine(r[i.a]);
+        break;
+      case Op::cosine:
+        r[i.out] = cosine(r[i.a]);
+        break;
+      case Op::exp:
+        r[i.out] = exponential(r[i.a]);
+        break;
+      default:
+        r[i.out] = value_of(i.op, r[i.a], r[i.b], r[i.c], code_.tables ? code_.tables->data() : nullptr);
+    }
+  }
   for (size_t k = 0; k < width_of(type()); ++k) out[k] = r[code_.result.at[k]];
 }
 
-void Program::evaluate_with_rate(const double* inputs, const double* input_rates, double* out,
-                                 double* out_rate) const noexcept {
-  double r[kMaxRegisters], rate[kMaxRegisters];
-  size_t next = code_.constants.size();
-  std::copy(code_.constants.begin(), code_.constants.end(), r);
-  std::fill_n(rate, next, 0.0);
-  std::copy(inputs, inputs + code_.input_count, r + next);
-  std::copy(input_rates, input_rates + code_.input_count, rate + next);
-  next += code_.input_count;
-  for (const Instruction& i : code_.instructions) {
-    r[next] = value_of(i.op, r[i.a], r[i.b], r[i.c]);
-    rate[next] = rate_of(i.op, r[next], r[i.a], r[i.b], rate[i.a], rate[i.b], rate[i.c]);
-    ++next;
-  }
-  for (size_t k = 0; k < width_of(type()); ++k) {
-    out[k] = r[code_.result.at[k]];
-    out_rate[k] = rate[code_.result.at[k]];
-  }
+bool Program::same_code(const Program& other) const {
+  const CompiledCode &a = code_, &b = other.code_;
+  const auto same_bytes = [](const auto& u, const auto& v) {
+    return u.size() == v.size() && std::memcmp(u.data(), v.data(), u.size() * sizeof(u[0])) == 0;
+  };
+  const auto same = [](const Instruction& u, const Instruction& v) {
+    return u.op == v.op && u.out == v.out && u.a == v.a && u.b == v.b && u.c == v.c;
+  };
+  return a.input_count == b.input_count && !a.tables && !b.tables && a.result.type == b.result.type &&
+         a.result.at == b.result.at && same_bytes(a.constants, b.constants) &&
+         std::equal(a.instructions.begin(), a.instructions.end(), b.instructions.begin(), b.instructions.end(),
+                    same);
 }
 
 }  // namespace animado::interexpserv

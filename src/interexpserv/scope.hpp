@@ -13,7 +13,8 @@
 
 namespace animado::interexpserv {
 
-// A name that stands for another expression: compiled where it is used.
+// A name that stands for another expression, compiled where it is used; or, where the text is
+// "(x, y) = expression", for a function.
 struct Definition {
   std::string name;  // folded, full: what a cycle lists
   std::string text;
@@ -30,6 +31,9 @@ class Scope {
   // ("ball.position.y") is found by the compiler when the whole name is unknown here.
   virtual std::optional<Symbol> find(std::string_view name) const = 0;
   virtual std::vector<std::string> known_names() const = 0;  // for suggestions
+
+  // The file that a table's name means; by itself, relative to where the program runs.
+  virtual std::string path_of(std::string_view written) const { return std::string(written); }
 
   // The scope without any default namespace: where the text of a definition is read.
   virtual const Scope& root() const { return *this; }
@@ -56,6 +60,7 @@ class HomeScope : public Scope {
 
   std::optional<Symbol> find(std::string_view name) const override;
   std::vector<std::string> known_names() const override;
+  std::string path_of(std::string_view written) const override { return outer_.path_of(written); }
   const Scope& root() const override { return outer_.root(); }
 
  private:

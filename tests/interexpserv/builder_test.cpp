@@ -42,6 +42,7 @@ TEST(Builder, WhatTheResultDoesNotNeedIsGone) {
   ASSERT_EQ(code.instructions.size(), 1u);
   EXPECT_EQ(code.instructions[0].a, 2);  // constant, v.x, v.y
   EXPECT_EQ(code.result.at[0], 4);
+  EXPECT_EQ(code.registers, 5u);
 }
 
 TEST(Builder, AChoiceThatIsKnownIsTaken) {

@@ -45,7 +45,7 @@ TEST(Compile, RefusesWithPlaceAndRemedy) {
       {"2x", Code::syntax, 1, "expected an operator, found `x`", "2 * x"},
       {"2 3", Code::syntax, 2, "expected an operator", "2 * x"},
       {"2(3)", Code::syntax, 1, "expected an operator", "2 * x"},
-      {"ball.mass (3)", Code::syntax, 10, "expected an operator", "2 * x"},
+      {"ball.mass (3)", Code::syntax, 0, "`ball.mass` is a value", "ball.mass * (…)"},
       {"1 < 2 < 3", Code::syntax, 6, "do not chain", "a < b and b < c"},
       {"1 == 2 != 3", Code::syntax, 7, "do not chain", ""},
       {"1 = 2", Code::syntax, 2, "`=`", "=="},
@@ -223,7 +223,7 @@ TEST(Compile, SharedDefinitionsAreComputedOnce) {
   const double t = 0.5;
   double value = 0;
   program.evaluate(&t, &value);
-  EXPECT_EQ(value, std::sin(0.5) * 1048576);
+  EXPECT_DOUBLE_EQ(value, std::sin(0.5) * 1048576);
 }
 
 TEST(Compile, LongSumsAreNoNesting) {

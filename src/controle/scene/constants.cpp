@@ -4,6 +4,8 @@
 #include "controle/scene/refusal.hpp"
 #include "controle/scene/scope.hpp"
 #include "controle/scene/shape_syntax.hpp"
+#include "controle/scene/text_file.hpp"
+#include "interexpserv/parser.hpp"
 
 namespace animado::controle {
 namespace {
@@ -148,8 +150,17 @@ std::optional<Symbol> Constants::find(std::string_view folded_name) const {
 Symbol Constants::compute_definition(const Definition& definition) const {
   const Open open(*this, definition.name);
   const interexpserv::Program program = compile(definition.value, {});
-  if (program.is_constant()) return program.constant();
+  const std::string& text = definition.value.text;
+  if (program.is_constant() || interexpserv::is_function_text(text)) {
+    const int owner = definition.value.owner;
+    return interexpserv::Definition{
+        definition.name, text, owner < 0 ? "" : outline_.objects[static_cast<size_t>(owner)].folded_name};
+  }
   return Input{definition.name, program.type()};  // it varies, and that is all that a constant needs to know
+}
+
+std::string Constants::path_of(std::string_view written) const {
+  return beside(outline_.path, written);
 }
 
 std::vector<std::string> Constants::known_names() const {

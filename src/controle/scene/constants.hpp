@@ -27,6 +27,7 @@ class Constants : public interexpserv::Scope {
   // are constant.
   std::optional<interexpserv::Symbol> find(std::string_view folded_name) const override;
   std::vector<std::string> known_names() const override;
+  std::string path_of(std::string_view written) const override;
 
  private:
   interexpserv::Program compile(const Expression& expression,

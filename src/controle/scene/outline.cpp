@@ -13,6 +13,7 @@
 
 #include "controle/scene/lines.hpp"
 #include "controle/scene/refusal.hpp"
+#include "interexpserv/functions.hpp"
 #include "interexpserv/parser.hpp"
 
 namespace animado::controle {
@@ -169,9 +170,27 @@ class Reader {
       ++end;
       ++dots;
     }
+    if (end > at && folded[end - 1] != '.' && read_function(line, at, end)) return true;
     const size_t equals = line.skip_blanks(end);
     if (dots == 0 || folded[end - 1] == '.' || equals >= folded.size() || folded[equals] != '=') return false;
-    const std::string name = folded.substr(at, end - at);
+    define(line, at, folded.substr(at, end - at), equals + 1);
+    return true;
+  }
+
+  // f(x, y) = expression: a definition whose value begins with the parameters.
+  bool read_function(const Line& line, size_t at, size_t end) {
+    const size_t open = line.skip_blanks(end);
+    if (!interexpserv::is_function_text(line.folded().substr(std::min(open, line.folded().size())))) return false;
+    const std::string name = line.folded().substr(at, end - at);
+    if (interexpserv::is_function(name)) {
+      refuse(outline_.path, line.place(at), Code::conflict,
+             fmt::format("`{}` is a function of the language", name), "choose another name");
+    }
+    define(line, at, name, open);
+    return true;
+  }
+
+  void define(const Line& line, size_t at, const std::string& name, size_t value) {
     for (const Definition& known : outline_.names) {
       if (known.name == name) {
         refuse(outline_.path, line.place(at), Code::conflict,
@@ -179,9 +198,8 @@ class Reader {
                "take one of them away");
       }
     }
-    outline_.names.push_back({name, read_value(line, equals + 1, name)});
+    outline_.names.push_back({name, read_value(line, value, name)});
     definition_places_.push_back(line.place(at));
-    return true;
   }
 
   // Only here are all the objects known.

@@ -75,6 +75,10 @@ interexpserv::Definition SceneScope::local_force_of(const Body& body) const {
   return {body.folded_name + ".local_force", vector_sum(body.local_forces), body.folded_name};
 }
 
+std::string SceneScope::path_of(std::string_view written) const {
+  return beside(scene_.path, written);
+}
+
 std::vector<std::string> SceneScope::known_names() const {
   std::vector<std::string> names = names_.known_names();
   for (const Definition& name : scene_.names) names.push_back(name.name);
@@ -92,12 +96,15 @@ std::string SceneScope::qualified(const Expression& expression) const {
   if (expression.owner < 0) return expression.text;
   const std::string prefix = scene_.bodies[static_cast<size_t>(expression.owner)].folded_name + ".";
   std::vector<size_t> columns;  // of the names that lack it
-  for (const interexpserv::Node& node : interexpserv::parse({expression.text, {}})) {
+  const interexpserv::Expression parsed = interexpserv::parse({expression.text, {}});
+  const auto& parameters = parsed.parameters;
+  for (const interexpserv::Node& node : parsed) {
     if (node.kind != interexpserv::Node::Kind::name) continue;
-    const bool component =
-        node.name.ends_with(".x") || node.name.ends_with(".y") || node.name.ends_with(".z");
-    const std::string whole = component ? node.name.substr(0, node.name.size() - 2) : node.name;
-    if (names_.find(prefix + node.name) || names_.find(prefix + whole)) columns.push_back(node.column);
+    const std::string name(node.name);
+    const bool component = name.ends_with(".x") || name.ends_with(".y") || name.ends_with(".z");
+    const std::string whole = component ? name.substr(0, name.size() - 2) : name;
+    if (std::find(parameters.begin(), parameters.end(), whole) != parameters.end()) continue;
+    if (names_.find(prefix + name) || names_.find(prefix + whole)) columns.push_back(node.column);
   }
   std::sort(columns.begin(), columns.end());
   const Line line(expression.place.line, expression.text);

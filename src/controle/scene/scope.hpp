@@ -17,6 +17,7 @@ class SceneScope : public interexpserv::Scope {
   // the scene's own names are definitions.
   std::optional<interexpserv::Symbol> find(std::string_view folded_name) const override;
   std::vector<std::string> known_names() const override;
+  std::string path_of(std::string_view written) const override;  // beside the scene
 
   // Throws Error with file:line:column of the mistake.
   interexpserv::Program compile(const Expression& expression,

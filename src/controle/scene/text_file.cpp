@@ -20,6 +20,10 @@ std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::string beside(const std::string& scene, std::string_view file) {
+  return (std::filesystem::path(scene).parent_path() / file).string();
+}
+
 std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> parts;
   while (true) {

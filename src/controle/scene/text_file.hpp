@@ -10,6 +10,9 @@ namespace animado::controle {
 // Throws Error unavailable when it is not there or cannot be read.
 std::string read_text(const std::string& path);
 
+// The path of a file that the scene `scene` names: relative to its folder.
+std::string beside(const std::string& scene, std::string_view file);
+
 // The parts between any of the separators, without the empty ones.
 std::vector<std::string_view> split(std::string_view text, std::string_view separators);
 

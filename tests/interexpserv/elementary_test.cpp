@@ -1,12 +1,16 @@
-// src/interexpserv/instruction.hpp: operations that have corners.
-#include "interexpserv/instruction.hpp"
+// src/interexpserv/elementary.cpp: operations that have corners.
+#include "interexpserv/elementary.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "interexpserv/lanes.hpp"
 
 namespace animado::interexpserv {
 namespace {
 
-TEST(Instruction, ModuloHasTheSignOfTheDivisorAndNoRounding) {
+TEST(Elementary, ModuloHasTheSignOfTheDivisorAndNoRounding) {
   EXPECT_EQ(floored_modulo(7, 3), 1);
   EXPECT_EQ(floored_modulo(-7, 3), 2);
   EXPECT_EQ(floored_modulo(7, -3), -2);
@@ -16,16 +20,9 @@ TEST(Instruction, ModuloHasTheSignOfTheDivisorAndNoRounding) {
   EXPECT_TRUE(std::isnan(floored_modulo(5, 0)));
 }
 
-TEST(Instruction, ZeroKeepsItsSign) {
+TEST(Elementary, ZeroKeepsItsSign) {
   EXPECT_TRUE(std::signbit(value_of(Op::sign, -0.0, 0, 0)));
   EXPECT_TRUE(std::signbit(value_of(Op::negate, 0.0, 0, 0)));
-}
-
-TEST(Instruction, WhatStandsStillHasNoRateAtAnInfiniteSlope) {
-  EXPECT_EQ(rate_of(Op::sqrt, 0, 0, 0, 0, 0, 0), 0);
-  EXPECT_EQ(rate_of(Op::power, 0, 0, 0.5, 0, 0, 0), 0);
-  EXPECT_EQ(rate_of(Op::power, 4, -2, 2, 1, 0, 0), -4);  // a negative base with an exponent at rest
-  EXPECT_EQ(rate_of(Op::sqrt, 0, 0, 0, 1, 0, 0), INFINITY);
 }
 
 }  // namespace
