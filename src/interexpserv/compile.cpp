@@ -18,7 +18,7 @@ namespace animado::interexpserv {
 namespace {
 
 constexpr size_t kMaxDefinitions =
-    100;  // definitions inside definitions: far above what is read with pleasure
+    100;                           // definitions inside definitions: far above what is read with pleasure
 constexpr size_t kMaxGuessed = 5;  // parameters whose types are tried: 243 ways
 
 struct Constant {
@@ -155,7 +155,8 @@ class Compiler {
 
   static const Operand* parameter(std::string_view name, const Context& at) {
     const auto found = std::find(at.parameters.begin(), at.parameters.end(), name);
-    return found == at.parameters.end() ? nullptr : &at.values[static_cast<size_t>(found - at.parameters.begin())];
+    return found == at.parameters.end() ? nullptr
+                                        : &at.values[static_cast<size_t>(found - at.parameters.begin())];
   }
 
   Operand operand_of(const Symbol& symbol, const Node& node, const Context& at) {
@@ -227,8 +228,9 @@ class Compiler {
     const WrittenUnit& unit = parsed.units[static_cast<size_t>(node.count)];
     for (const Token& word : unit.further) {
       if (!parameter(word.text, at) && !at.scope.find(word.text)) continue;
-      at.source.refuse(Code::conflict, word.column, fmt::format("`{}` is a unit and a name here", word.text),
-                       fmt::format("put blanks around the sign before it to mean the name, or choose another"));
+      at.source.refuse(
+          Code::conflict, word.column, fmt::format("`{}` is a unit and a name here", word.text),
+          fmt::format("put blanks around the sign before it to mean the name, or choose another"));
     }
     if (of.is_text()) refuse_text(*of.node, at);
     if (of.operand.type == Type::boolean || of.operand.dimension.known) {

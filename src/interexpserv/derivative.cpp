@@ -1,5 +1,6 @@
 // ∂f/∂x of what a builder holds: the chain rule over its instructions, each of them once. What the derivative
-// shares with the function, and with itself, is not computed again; the derivative of a derivative is as good.
+// shares with the function, and with itself, is not computed again; the derivative of a derivative is as
+// good.
 //
 //     dr = Σ_k ∂op/∂operand_k · d operand_k
 //

@@ -1,5 +1,5 @@
-// What functions make of dimensions. Plain numbers, without a unit, fit everything; what is made of one and of
-// something known is plain again in products, and known in sums.
+// What functions make of dimensions. Plain numbers, without a unit, fit everything; what is made of one and
+// of something known is plain again in products, and known in sums.
 #include <fmt/format.h>
 
 #include "interexpserv/functions.hpp"

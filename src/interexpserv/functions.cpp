@@ -142,14 +142,13 @@ Operand noise(Builder& b, Arguments a) {
     return b.apply(Op::subtract, b.apply(Op::multiply, b.constant(2.0), u), b.constant(1.0));
   };
   const Register from = value(floor), to = value(b.apply(Op::add, floor, b.constant(1.0)));
-  const Register inner = b.apply(
-      Op::add, b.constant(10.0),
-      b.apply(Op::multiply, s,
-              b.apply(Op::subtract, b.apply(Op::multiply, b.constant(6.0), s), b.constant(15.0))));
+  const Register inner =
+      b.apply(Op::add, b.constant(10.0),
+              b.apply(Op::multiply, s,
+                      b.apply(Op::subtract, b.apply(Op::multiply, b.constant(6.0), s), b.constant(15.0))));
   const Register cube = b.apply(Op::multiply, b.apply(Op::multiply, s, s), s);
   const Register way = b.apply(Op::multiply, cube, inner);
-  return Operand::scalar(
-      b.apply(Op::add, from, b.apply(Op::multiply, way, b.apply(Op::subtract, to, from))));
+  return Operand::scalar(b.apply(Op::add, from, b.apply(Op::multiply, way, b.apply(Op::subtract, to, from))));
 }
 
 constexpr Type kB = Type::boolean, kS = Type::scalar, kV = Type::vector;
@@ -198,7 +197,8 @@ constexpr Function kFunctions[] = {
     {"asin", "s", kS, Rule::number, scalar_of<Op::arcsine>, "angle in -pi/2 … pi/2 with this sine"},
     {"acos", "s", kS, Rule::number, scalar_of<Op::arccosine>, "angle in 0 … pi with this cosine"},
     {"atan", "s", kS, Rule::number, scalar_of<Op::arctangent>, "angle in -pi/2 … pi/2 with this tangent"},
-    {"atan2", "ss", kS, Rule::compared, scalar_of<Op::arctangent2>, "atan2(y, x): angle of the point (x, y), in -pi … pi"},
+    {"atan2", "ss", kS, Rule::compared, scalar_of<Op::arctangent2>,
+     "atan2(y, x): angle of the point (x, y), in -pi … pi"},
     {"sinh", "s", kS, Rule::number, scalar_of<Op::sinh>, "hyperbolic sine"},
     {"cosh", "s", kS, Rule::number, scalar_of<Op::cosh>, "hyperbolic cosine"},
     {"tanh", "s", kS, Rule::number, scalar_of<Op::tanh>, "hyperbolic tangent"},
@@ -216,7 +216,8 @@ constexpr Function kFunctions[] = {
     {"max", "ss*", kS, Rule::same, scalar_of<Op::maximum>, "largest of two or more"},
     {"clamp", "sss", kS, Rule::same, clamp, "clamp(x, low, high): x kept in low … high"},
     {"mod", "ss", kS, Rule::same, scalar_of<Op::modulo>, "remainder a - b floor(a/b): it has the sign of b"},
-    {"hypot", "ss*", kS, Rule::same, scalar_of<Op::hypot>, "square root of the sum of the squares, without overflow"},
+    {"hypot", "ss*", kS, Rule::same, scalar_of<Op::hypot>,
+     "square root of the sum of the squares, without overflow"},
     {"step", "ss", kS, Rule::compared, step, "step(edge, x): 0 where x < edge, else 1"},
     {"smoothstep", "sss", kS, Rule::compared, smoothstep,
      "smoothstep(e0, e1, x): 0 before e0, 1 after e1, s^2 (3 - 2 s) between"},
@@ -228,7 +229,8 @@ constexpr Function kFunctions[] = {
     {"gauss", "ss", kS, Rule::any, gauss, "gauss(seed, k): normal, mean 0, standard deviation 1"},
     {"noise", "ss", kS, Rule::any, noise,
      "noise(seed, x): smooth, in -1 … 1, with a new random value at every integer x"},
-    {"table", "ts", kS, Rule::any, nullptr, "table(\"file.csv\", x): y of a file of x, y; straight between its points"},
+    {"table", "ts", kS, Rule::any, nullptr,
+     "table(\"file.csv\", x): y of a file of x, y; straight between its points"},
     {"table", "tst", kS, Rule::any, nullptr, "table(\"file.csv\", x, cubic): smooth, without overshoot"},
     {"d", "ss", kS, Rule::quotient, nullptr, "d(f, x): derivative of f after x, a variable"},
     {"d", "vs", kV, Rule::quotient, nullptr, "derivative of a vector"},

@@ -18,11 +18,11 @@ enum class Rule : uint8_t {
   number,    // all are pure numbers or angles; so is the result
   product,
   quotient,
-  root,        // square root
+  root,  // square root
   cube_root,
-  power,       // to a constant exponent; else both are pure numbers
-  choice,      // the first is a condition, the others are the same
-  first,       // that of the first
+  power,   // to a constant exponent; else both are pure numbers
+  choice,  // the first is a condition, the others are the same
+  first,   // that of the first
 };
 
 struct Function {

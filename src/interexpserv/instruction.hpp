@@ -10,7 +10,8 @@ namespace animado::interexpserv {
 
 using Register = uint16_t;
 
-// One line an operation. IEEE 754 throughout: nothing is refused, NaN and infinity pass through.
+// IEEE 754 throughout: nothing is refused, NaN and infinity pass through.
+// clang-format off
 enum class Op : uint8_t {
   add, subtract, multiply, divide, negate, power,
   less, less_equal, equal, both, either, invert,  // yield booleans
@@ -21,6 +22,7 @@ enum class Op : uint8_t {
   random,  // of seed a, place b, stream c
   table,   // number b of the program's tables, at a
 };
+// clang-format on
 
 struct Instruction {
   Op op;

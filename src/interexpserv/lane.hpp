@@ -1,6 +1,6 @@
 // Several numbers side by side, one a lane of a vector register, and the few operations that the functions of
-// the language are made of. Every one of them is exact or rounded once, so that a formula has the same bits in
-// each lane whatever the width; nothing here comes from the C library.
+// the language are made of. Every one of them is exact or rounded once, so that a formula has the same bits
+// in each lane whatever the width; nothing here comes from the C library.
 //
 // These headers are compiled once for each instruction set. All of it has internal linkage and no standard
 // header is included: an inline function compiled for AVX-512 must not become the copy that the linker keeps.
@@ -23,7 +23,8 @@ using UnalignedLane = double __attribute__((vector_size(ANIMADO_LANE_BYTES), ali
 constexpr size_t kWidth = ANIMADO_LANE_BYTES / sizeof(double);
 constexpr unsigned long long kSignBit = 0x8000000000000000;
 constexpr double kInfinity = __builtin_inf(), kNaN = __builtin_nan("");
-constexpr double kInteger = 0x1.8p52;  // added to a number below 2^51 it leaves the nearest integer in the low bits
+constexpr double kInteger =
+    0x1.8p52;  // added to a number below 2^51 it leaves the nearest integer in the low bits
 
 #define ANIMADO_INLINE [[gnu::always_inline, maybe_unused]] inline
 
@@ -63,7 +64,11 @@ ANIMADO_INLINE bool any(Mask mask) {
   return __builtin_ia32_cvtq2mask512(mask) != 0;
 }
 ANIMADO_INLINE Lane square_root(Lane x) {
+#ifdef __clang__
+  return __builtin_ia32_sqrtpd512(x, 4);
+#else
   return __builtin_ia32_sqrtpd512_mask(x, x, static_cast<unsigned char>(-1), 4);
+#endif
 }
 #elif ANIMADO_LANE_BYTES == 32
 ANIMADO_INLINE bool any(Mask mask) {

@@ -16,13 +16,13 @@ constexpr double kHalfPi = 0x1.921fb54442d18p+0, kHalfPiLow = 0x1.1a62633145c07p
 
 // of a number that is not negative
 ANIMADO_INLINE Lane angle_of(Lane a) {
-  constexpr double c[] = {-0x1.555555555550cp-2, 0x1.999999998e9c3p-3, -0x1.2492491ffd098p-3,
+  constexpr double c[] = {-0x1.555555555550cp-2, 0x1.999999998e9c3p-3,  -0x1.2492491ffd098p-3,
                           0x1.c71c6fde3ecbap-4,  -0x1.745cdbedd44f7p-4, 0x1.3b0f2476f6797p-4,
-                          -0x1.10d626cf13afdp-4, 0x1.dddf5aa2c3071p-5, -0x1.97a66f324cf31p-5,
+                          -0x1.10d626cf13afdp-4, 0x1.dddf5aa2c3071p-5,  -0x1.97a66f324cf31p-5,
                           0x1.2b234daa45c98p-5,  -0x1.0a920f107c40dp-6};
   Lane above = all(-1.0), below = a, base = all(kHalfPi), base_low = all(kHalfPiLow);
   const auto take = [&](double limit, Lane over, Lane under, double angle, double angle_low)
-                        __attribute__((always_inline)) {
+      __attribute__((always_inline)) {
     const Mask here = a < limit;
     above = select(here, over, above);
     below = select(here, under, below);

@@ -1,5 +1,5 @@
-// Random numbers that are a function of where they are asked for: Philox4x32-10 ([SAL11]) with the seed for key
-// and the place for counter. No state, so that any order, process or restart gives the same.
+// Random numbers that are a function of where they are asked for: Philox4x32-10 ([SAL11]) with the seed for
+// key and the place for counter. No state, so that any order, process or restart gives the same.
 #pragma once
 
 #include "interexpserv/lane.hpp"

@@ -1,8 +1,10 @@
 // Roots, hyperbolic functions, rounding.
 //
-//   cbrt x   t from a polynomial, then twice t + t (w/t² − t) / (2 t + w/t²), the second time from 26 bits of t,
+//   cbrt x   t from a polynomial, then twice t + t (w/t² − t) / (2 t + w/t²), the second time from 26 bits of
+//   t,
 //            whose square is exact
-//   sinh x   x + x³ P(x²) for |x| < 1, else (e^x − e^−x)/2;  cosh likewise;  tanh = sinh/cosh, 1 − 2/(e^2x + 1)
+//   sinh x   x + x³ P(x²) for |x| < 1, else (e^x − e^−x)/2;  cosh likewise;  tanh = sinh/cosh, 1 − 2/(e^2x +
+//   1)
 //
 // Largest errors in units of the last place: cbrt 0.7, hypot 1.2, sinh 1.6, cosh 1.3, tanh 2.1.
 #pragma once

@@ -3,7 +3,7 @@
 // x = n π/2 + r, |r| ≤ π/4, with π/2 in three parts of 37, 36 and 53 bits, so that the first two multiples by
 // an n of 16 bits are exact ([CW80, 8]); r is kept as a sum of two numbers. For |x| ≤ 10^5 this r is right to
 // 2^−55 of itself: no double there is nearer to a multiple of π/2 than 2^−56. Beyond, each lane goes the slow
-// and exact way of [PH83] (elementary.cpp).
+// and exact way of [PH83] and [NG92] (reduction.cpp).
 //
 //   sin r = r + r³ S(r²)      cos r = 1 − r²/2 + r⁴ C(r²)      minimax to 2^−58 and 2^−64
 //
@@ -35,7 +35,7 @@ ANIMADO_INLINE Reduced reduced(Lane x) {
 }
 
 ANIMADO_INLINE Lane sine_near_zero(Lane r, Lane low) {
-  constexpr double c[] = {-0x1.5555555555549p-3,  0x1.111111110f881p-7,  -0x1.a01a019c126afp-13,
+  constexpr double c[] = {-0x1.5555555555549p-3, 0x1.111111110f881p-7,   -0x1.a01a019c126afp-13,
                           0x1.71de357872ce2p-19, -0x1.ae5e66d2fabfap-26, 0x1.5d932e98affbep-33};
   const Lane z = r * r;
   return r + (r * z * polynomial(c, z) + low * (1.0 - 0.5 * z));

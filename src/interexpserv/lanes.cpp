@@ -99,7 +99,8 @@ ANIMADO_INLINE void run(Op op, const Rows& rows, const Table* tables) {
 
 void ANIMADO_LANE_ENTRY(const LaneTape& tape) {
   for (const Instruction* i = tape.instructions; i != tape.instructions + tape.count; ++i) {
-    run(i->op, {tape.rows[i->a], tape.rows[i->b], tape.rows[i->c], tape.rows[i->out], tape.lanes}, tape.tables);
+    run(i->op, {tape.rows[i->a], tape.rows[i->b], tape.rows[i->c], tape.rows[i->out], tape.lanes},
+        tape.tables);
   }
 }
 

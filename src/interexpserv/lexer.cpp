@@ -113,8 +113,8 @@ class Lexer {
   Token token(Token::Kind kind, size_t length) {
     const size_t begin = at_;
     at_ += length;
-    return {kind, folded_.substr(begin, length),
-            source_.text.substr(start(begin), start(at_) - start(begin)), 0, begin};
+    return {kind, folded_.substr(begin, length), source_.text.substr(start(begin), start(at_) - start(begin)),
+            0, begin};
   }
 
   Token read_number() {

@@ -80,7 +80,8 @@ class Parser {
 
   // The lexer lets an `=` pass behind "(x, y)" alone.
   void parameters() {
-    const auto equals = std::find_if(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.is("="); });
+    const auto equals =
+        std::find_if(tokens_.begin(), tokens_.end(), [](const Token& t) { return t.is("="); });
     if (equals == tokens_.end()) return;
     auto& names = result_.parameters;
     while (!now().is("=")) {
@@ -155,7 +156,8 @@ class Parser {
     }
   }
 
-  // What stands behind a number: 10 cm, 9.81 m/s^2. Without blanks inside, so that 10 m / h divides by a name.
+  // What stands behind a number: 10 cm, 9.81 m/s^2. Without blanks inside, so that 10 m / h divides by a
+  // name.
   void unit() {
     if (now().kind != Token::Kind::name || find_binary(now())) return;
     const Unit* first = find_unit(now().written);
@@ -306,8 +308,9 @@ class Parser {
     const bool after_number = at_ > 0 && before().kind == Token::Kind::number;
     const std::vector<std::string> units = known_units();
     const std::string near = after_number && token.text.size() > 1 ? nearest_name(token.written, units) : "";
-    return near.empty() ? "a product needs its sign: write 2 * x"
-                        : fmt::format("a product needs its sign: write 2 * x; if a unit is meant: `{}`?", near);
+    return near.empty()
+               ? "a product needs its sign: write 2 * x"
+               : fmt::format("a product needs its sign: write 2 * x; if a unit is meant: `{}`?", near);
   }
 
   const Token& now() const { return tokens_[at_]; }

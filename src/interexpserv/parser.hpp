@@ -34,8 +34,8 @@ struct WrittenUnit {
 };
 
 struct Expression {
-  Tokens tokens;                          // what the names are parts of
-  std::forward_list<std::string> spaced;  // names that are written with blanks at their dots
+  Tokens tokens;                             // what the names are parts of
+  std::forward_list<std::string> spaced;     // names that are written with blanks at their dots
   std::vector<std::string_view> parameters;  // of a function, "(x, y) = …"
   std::vector<WrittenUnit> units;
   std::vector<Node> nodes;
@@ -44,7 +44,7 @@ struct Expression {
   auto end() const { return nodes.end(); }
 };
 
-constexpr int kMaxNesting = 200;    // parentheses, calls, signs and powers inside each other
+constexpr int kMaxNesting = 200;  // parentheses, calls, signs and powers inside each other
 constexpr size_t kMaxParameters = 8;
 
 // Throws ExpressionError: syntax, limit.

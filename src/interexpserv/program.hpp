@@ -1,5 +1,5 @@
-// A compiled expression: sent once, evaluated where it is needed, for one or for many. It owns nothing outside
-// itself and may be used by several threads at once.
+// A compiled expression: sent once, evaluated where it is needed, for one or for many. It owns nothing
+// outside itself and may be used by several threads at once.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// sin, cos and tan of large arguments, by the reduction of [PH83]: x = m 2^e, and of the product of m with 2/π
-// only those bits are formed that are neither multiples of 4 (whole turns) nor below what is seen: 53 bits of
-// m times 256 bits of 2/π.
+// sin, cos and tan of large arguments, by the reduction of [PH83]: x = m 2^e, and of the product of m with
+// 2/π only those bits are formed that are neither multiples of 4 (whole turns) nor below what is seen: 53
+// bits of m times 256 bits of 2/π.
 #include <array>
 #include <bit>
 #include <cmath>

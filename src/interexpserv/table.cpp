@@ -18,11 +18,13 @@ constexpr size_t kMaxPoints = 1'000'000;  // 40 MB of pieces
 
 void check(std::span<const double> x, std::span<const double> y) {
   if (x.size() < 2 || x.size() != y.size()) {
-    throw Error(Code::bad_shape, fmt::format("a table of {} points", x.size()), {}, "a table has two or more");
+    throw Error(Code::bad_shape, fmt::format("a table of {} points", x.size()), {},
+                "a table has two or more");
   }
   for (size_t i = 0; i < x.size(); ++i) {
     if (!std::isfinite(x[i]) || !std::isfinite(y[i])) {
-      throw Error(Code::bad_shape, fmt::format("point {} of the table is not finite", i + 1), {}, "take it out");
+      throw Error(Code::bad_shape, fmt::format("point {} of the table is not finite", i + 1), {},
+                  "take it out");
     }
     if (i > 0 && x[i] <= x[i - 1]) {
       throw Error(Code::bad_shape, fmt::format("x goes from {} to {} in a table", x[i - 1], x[i]), {},
@@ -120,7 +122,8 @@ double look_up(const Table* tables, double table, double x) {
 
 Table read_table(const std::string& path, Interpolation interpolation) {
   std::ifstream file(path);
-  if (!file) throw Error(Code::unknown_name, fmt::format("no table `{}` can be read", path), path, "check the path");
+  if (!file)
+    throw Error(Code::unknown_name, fmt::format("no table `{}` can be read", path), path, "check the path");
   std::vector<double> x, y;
   std::string line;
   for (size_t number = 1; std::getline(file, line); ++number) {

@@ -1,9 +1,11 @@
-// A function known at points, from a file of two columns. Between the points it is a polynomial of each piece:
+// A function known at points, from a file of two columns. Between the points it is a polynomial of each
+// piece:
 //
 //   y(x) = y_i + s (b + s (c + s d)),  s = x − x_i
 //
 //   linear   the straight line between the points
-//   cubic    Hermite's, with the slopes of [STE90]: no higher or lower anywhere than the points on both sides,
+//   cubic    Hermite's, with the slopes of [STE90]: no higher or lower anywhere than the points on both
+//   sides,
 //            once continuously differentiable
 //
 // Before the first point and after the last it stays at their values.
@@ -44,8 +46,8 @@ class Table {
 };
 
 // Reads a file of lines `x, y`: numbers between commas, semicolons or blanks, further columns left aside; a
-// first line of words and lines that begin with # are skipped. Throws Error: unknown_name when there is no such
-// file, syntax with file:line, bad_shape, limit.
+// first line of words and lines that begin with # are skipped. Throws Error: unknown_name when there is no
+// such file, syntax with file:line, bad_shape, limit.
 Table read_table(const std::string& path, Interpolation interpolation);
 
 }  // namespace animado::interexpserv

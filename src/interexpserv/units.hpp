@@ -9,8 +9,8 @@
 
 namespace animado::interexpserv {
 
-// Exponents of metre, kilogram and second in twelfths (a cube root of a square root still has one). Angles are
-// numbers of dimension 1.
+// Exponents of metre, kilogram and second in twelfths (a cube root of a square root still has one). Angles
+// are numbers of dimension 1.
 struct Dimension {
   bool known = false;
   int16_t m = 0, kg = 0, s = 0;

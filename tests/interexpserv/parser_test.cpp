@@ -77,7 +77,8 @@ TEST(Parser, AFunctionHasParameters) {
   EXPECT_EQ(parsed.parameters, (std::vector<std::string_view>{"x", "y"}));
   EXPECT_EQ(parsed.nodes.size(), 5u);
   EXPECT_TRUE(is_function_text(" (x) = x"));
-  for (const std::string_view text : {"", "(x)", "(x) == x", "x = 2", "(x <= 2)", "f(x) = 2", "(x) + (y) = 2"}) {
+  for (const std::string_view text :
+       {"", "(x)", "(x) == x", "x = 2", "(x <= 2)", "f(x) = 2", "(x) + (y) = 2"}) {
     EXPECT_FALSE(is_function_text(text)) << text;
   }
 }

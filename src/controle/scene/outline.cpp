@@ -180,7 +180,8 @@ class Reader {
   // f(x, y) = expression: a definition whose value begins with the parameters.
   bool read_function(const Line& line, size_t at, size_t end) {
     const size_t open = line.skip_blanks(end);
-    if (!interexpserv::is_function_text(line.folded().substr(std::min(open, line.folded().size())))) return false;
+    if (!interexpserv::is_function_text(line.folded().substr(std::min(open, line.folded().size()))))
+      return false;
     const std::string name = line.folded().substr(at, end - at);
     if (interexpserv::is_function(name)) {
       refuse(outline_.path, line.place(at), Code::conflict,

@@ -2,6 +2,7 @@
 
 #include "controle/scene/lines.hpp"
 #include "controle/scene/refusal.hpp"
+#include "controle/scene/text_file.hpp"
 #include "interexpserv/parser.hpp"
 
 namespace animado::controle {
