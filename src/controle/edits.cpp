@@ -1,7 +1,10 @@
 #include "controle/edits.hpp"
 
+#include <filesystem>
+
 #include "base/error.hpp"
 #include "controle/scene/scope.hpp"
+#include "interexpserv/parser.hpp"
 
 namespace animado::controle {
 namespace {
@@ -10,6 +13,20 @@ std::string text_of(const SceneScope& scope, const std::string& name) {
   const auto symbol = scope.find(name);
   assert(symbol);
   return std::get<interexpserv::Definition>(*symbol).text;
+}
+
+// The text with the files of its tables named in full: the registry runs in a folder of its own.
+std::string with_whole_paths(const SceneScope& scope, const std::string& text) {
+  const interexpserv::Expression parsed = interexpserv::parse({text, {}});
+  std::string whole;
+  size_t from = 0;
+  for (const interexpserv::Token& token : parsed.tokens.list) {
+    if (token.kind != interexpserv::Token::Kind::text) continue;
+    const auto at = static_cast<size_t>(token.text.data() - text.data());
+    whole += text.substr(from, at - from) + std::filesystem::absolute(scope.path_of(token.text)).string();
+    from = at + token.text.size();
+  }
+  return whole + text.substr(from);
 }
 
 }  // namespace
@@ -29,6 +46,7 @@ std::vector<std::pair<std::string, std::string>> definitions_of(const Scene& sce
     definitions.emplace_back(body.folded_name + ".torque", vector_sum(body.torques));
   }
   for (const Definition& name : scene.names) definitions.emplace_back(name.name, name.value.text);
+  for (auto& [name, text] : definitions) text = with_whole_paths(scope, text);
   return definitions;
 }
 

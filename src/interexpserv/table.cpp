@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "interexpserv/lanes.hpp"
@@ -126,15 +127,17 @@ Table read_table(const std::string& path, Interpolation interpolation) {
     throw Error(Code::unknown_name, fmt::format("no table `{}` can be read", path), path, "check the path");
   std::vector<double> x, y;
   std::string line;
+  bool may_be_heading = true;
   for (size_t number = 1; std::getline(file, line); ++number) {
     const size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos || line[first] == '#') continue;
     double numbers[2];
     if (read_numbers(line, numbers) < 2) {
-      if (x.empty() && number == 1) continue;
+      if (std::exchange(may_be_heading, false)) continue;
       throw Error(Code::syntax, fmt::format("`{}` does not begin with two numbers", line.substr(0, 60)),
                   fmt::format("{}:{}", path, number), "a line of a table is `x, y`");
     }
+    may_be_heading = false;
     if (x.size() == kMaxPoints) {
       throw Error(Code::limit, fmt::format("more than {} points", kMaxPoints), path, "use fewer");
     }

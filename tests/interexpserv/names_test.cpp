@@ -380,5 +380,22 @@ TEST(Names, AHundredThousandAreNoBurden) {
   EXPECT_EQ(number(names, "body99999.mass"), 1);
 }
 
+TEST(Names, FunctionsAreDefinedAsTheyAreCalled) {
+  Names names;
+  const std::array<NamedText, 2> both = {{{"f(x)", "x^2 + 1"}, {"four", "f(3) - 6"}}};
+  names.define(both);
+  const Names::Numbers none = [](const std::string&) { return std::span<const double>(); };
+  EXPECT_EQ(names.value("four", none).v[0], 4);
+  EXPECT_EQ(names.row("f").text, "(x) = x^2 + 1");
+  EXPECT_THROW(names.value("f", none), Error);
+  const std::array<NamedText, 1> other = {{{"f(y)", "2*y"}}};
+  EXPECT_EQ(names.define(other).size(), 2u);  // what calls it changes with it
+  EXPECT_EQ(names.value("four", none).v[0], 0);
+  const std::array<NamedText, 1> itself = {{{"f(x)", "f(x - 1)"}}};
+  EXPECT_THROW(names.define(itself), Error);
+  const std::array<NamedText, 1> arity = {{{"f(x, y)", "x + y"}}};
+  EXPECT_THROW(names.define(arity), Error);  // four calls it with one value
+}
+
 }  // namespace
 }  // namespace animado::interexpserv

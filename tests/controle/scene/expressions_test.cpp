@@ -57,6 +57,20 @@ TEST(SceneScope, DefinitionsReadTheBlockTheyStandIn) {
   EXPECT_DOUBLE_EQ(scope.compile(scene.bodies[1].forces[0], Type::vector).constant().v[1], -29.43);
 }
 
+TEST(SceneScope, FunctionsAndUnitsOfTheScene) {
+  const Scene scene = scene_of(
+      "f(x, y) = x^2 + mix.weight(y)\nobject ball\n mass 300 g\n mix.weight(z) = z*mass\n position (10 cm, "
+      "0, 2 km)\n"
+      " force (0, f(2, 10), 0)");
+  EXPECT_EQ(scene.bodies[0].mass_kg, 0.3);
+  EXPECT_EQ(scene.bodies[0].position_m, Vec3(0.1, 0, 2000));
+  const SceneScope scope(scene);
+  EXPECT_DOUBLE_EQ(scope.compile(scene.bodies[0].forces[0], Type::vector).constant().v[1], 7);
+  EXPECT_THROW(scene_of("f(x) = f(x - 1)\nobject ball\n mass 1"), Error);
+  EXPECT_THROW(scene_of("sin(x) = x\nobject ball\n mass 1"), Error);
+  EXPECT_THROW(scene_of("object ball\n mass 1\n position (1 m + 2 s, 0, 0)"), Error);
+}
+
 TEST(SceneScope, DefinitionsMeanTheSameOutsideTheirBlock) {
   const Scene scene = scene_of(
       "object ball\n mass 3\n pull.k = 2\n pull.down = (Mass + sin(position.x) * pull.k) * velocity - "
