@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "egesp/echelon.hpp"
-#include "egesp/large_memory.hpp"
+#include "egesp/aligned_memory.hpp"
 #include "egesp/prepared.hpp"
 
 namespace animado::egesp {
@@ -127,7 +127,7 @@ class InLanes final : public PreparedBatch {
   LaneKernels kernels_;
   size_t group_size_;  // doubles
   std::vector<LaneFactors> groups_;
-  LargeMemory memory_;
+  AlignedMemory memory_;
   std::vector<double> scratch_;
 };
 

@@ -162,7 +162,18 @@ bool Server::receive(Peer& peer) {
   return received != Connection::Received::nothing;
 }
 
+// What was held back because the peer did not read is served as soon as it does: nothing new may come to wake
+// us.
 void Server::serve_messages(Peer& peer) {
+  bool held_back = true;
+  while (held_back && !peer.ending && peer.connection.unsent() <= kMaxUnsent) {
+    answer_all(peer);
+    held_back = peer.connection.unsent() > kMaxUnsent;
+    if (peer.connection.unsent() > 0) flush(peer);
+  }
+}
+
+void Server::answer_all(Peer& peer) {
   Envelope envelope;
   try {
     std::string_view message;
@@ -179,7 +190,6 @@ void Server::serve_messages(Peer& peer) {
     send_error(peer, envelope, error);
     peer.ending = true;
   }
-  if (peer.connection.unsent() > 0) flush(peer);
 }
 
 void Server::answer(Peer& peer, const Envelope& envelope) {

@@ -59,6 +59,7 @@ class Server {
   bool serve(Peer& peer);  // true when something came
   bool receive(Peer& peer);
   void serve_messages(Peer& peer);
+  void answer_all(Peer& peer);
   void answer(Peer& peer, const Envelope& envelope);
   const Service::Entry& entry_for(const Peer& peer, std::string_view method) const;
   void call(Peer& peer, const Envelope& envelope, const Service::Entry& entry, const void* request,

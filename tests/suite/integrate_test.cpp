@@ -23,7 +23,7 @@ TEST(IntegrateCommand, PrintsATable) {
                                 "--until", "1", "--samples", "2"});
   EXPECT_EQ(good.code, 0) << good.err;
   EXPECT_THAT(good.out,
-              testing::MatchesRegex(" *t +x +v\n +0 +1 +0\n +0.5 +-(1|0.999999).*\n +1 +(1|0.999999).*\n"));
+              testing::MatchesRegex(" *t +x +v\n *0 +1 +0\n *0.5 +-(1|0.999999).*\n *1 +(1|0.999999).*\n"));
 }
 
 TEST(IntegrateCommand, DrawsWithoutColoursIntoAPipe) {
