@@ -78,7 +78,8 @@ TEST(LeastSquares, OfOneEquationTakesTheShortestOnRequest) {
 
 TEST(LeastSquares, EveryShapeAndRankIsAtTheMinimum) {
   Uniform uniform;
-  for (const auto& [rows, columns] : {std::pair<size_t, size_t>{30, 30}, {70, 20}, {20, 70}, {1, 9}, {9, 1}}) {
+  for (const auto& [rows, columns] :
+       {std::pair<size_t, size_t>{30, 30}, {70, 20}, {20, 70}, {1, 9}, {9, 1}}) {
     for (const size_t rank : {size_t{1}, std::min(rows, columns) / 2 + 1, std::min(rows, columns)}) {
       if (rank > std::min(rows, columns)) continue;
       const auto a = of_rank(uniform, rank, rows, columns), b = random_numbers(uniform, rows * 2);

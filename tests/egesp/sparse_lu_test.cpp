@@ -109,16 +109,16 @@ TEST(SparseLu, TakesOtherValuesInTheSamePlaces) {
   EXPECT_LT(backward_error(dense(a).data(), b.data(), x.data(), 80, 1), 1e-12);
 }
 
-// The old pivot is lost: with the old order of pivots the growth would be 1e18.
+// The diagonal was the pivot and is lost: with the old order of pivots the growth would be 1e18.
 TEST(SparseLu, GivesUpAnOrderOfPivotsThatTurnedBad) {
   const std::vector<double> rows{0, 1, 0, 1}, columns{0, 0, 1, 1}, b{1, 2};
   const SparsePattern pattern(SparseFormat::triplets, 2, rows, columns, 4);
-  SparseLu lu(pattern.matrix(std::vector<double>{1, 1, 1, 2}), {});
+  SparseLu lu(pattern.matrix(std::vector<double>{4, 1, 1, 4}), {});
   for (const double pivot : {1e-18, 0.0}) {
-    lu.refactor(pattern.matrix(std::vector<double>{pivot, 1, 1, 2}).values);
+    lu.refactor(pattern.matrix(std::vector<double>{pivot, 1, 1, pivot}).values);
     auto x = b;
     lu.solve(x, 1);
-    EXPECT_NEAR(x[0], 0, 1e-15);
+    EXPECT_NEAR(x[0], 2, 1e-15);
     EXPECT_NEAR(x[1], 1, 1e-15);
   }
 }
