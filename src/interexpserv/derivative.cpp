@@ -123,7 +123,7 @@ Register Builder::derivative(Register of, Register x) {
     }
     for (size_t operand = 0; operand < operands_of(i.op); ++operand) {
       const Register rate = rates[operand == 0 ? i.a : i.b];
-      if (rate == kZero) continue;
+      if (rate == kZero || (is_constant(rate) && value(rate) == 0)) continue;
       const Register steep = slope(i.op, static_cast<Register>(r), operand);
       if (steep == kZero) continue;
       Register part = times_rate(steep, rate);
