@@ -46,6 +46,13 @@ void SocketChannel::pipeline(const MessageCodec& message, std::span<const Exchan
   const int64_t first = ++id_ - static_cast<int64_t>(done);  // the id of exchanges[0], had it been sent now
   size_t sent = done;
   auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
+  // Until the peer has sent something, or takes what is not sent yet; false when the time is over.
+  const auto await_peer = [&] {
+    if (connection_->unsent() == 0) return receive(deadline);
+    if (!wait_until(connection_->fd(), POLLIN | POLLOUT, deadline)) return false;
+    receive_now();
+    return true;
+  };
   while (done < exchanges.size()) {
     while (sent < exchanges.size() && sent - done < kUnderWay && connection_->unsent() < kPacked) {
       Encoder out(connection_->out());
@@ -58,8 +65,7 @@ void SocketChannel::pipeline(const MessageCodec& message, std::span<const Exchan
     while (done < sent && take_reply(message, first + static_cast<int64_t>(done), exchanges[done])) ++done;
     if (done > before) {
       deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
-    } else if (connection_->unsent() > 0 ? !wait_until(connection_->fd(), POLLIN | POLLOUT, deadline)
-                                         : !receive(deadline)) {
+    } else if (!await_peer()) {
       give_up(message.name);
     }
   }
