@@ -15,7 +15,17 @@ using testing::HasSubstr;
 
 const fs::path kSource = ANIMADO_SOURCE_DIR;
 
-TEST(IntegrateCommand, PrintsATable) {
+// Away from whatever suite this machine runs, which may be about to end.
+class IntegrateCommand : public testing::Test {
+ protected:
+  IntegrateCommand() { setenv("ANIMADO_SOCKET_DIR", (nowhere_ / "none").c_str(), 1); }
+  ~IntegrateCommand() override { unsetenv("ANIMADO_SOCKET_DIR"); }
+
+ private:
+  TemporaryDirectory nowhere_;
+};
+
+TEST_F(IntegrateCommand, PrintsATable) {
   const Outcome outcome =
       animado({"integrate", "x' = v; v' = -x", "--from", "x=1, v=0", "--until", "pi", "--samples", "2"});
   EXPECT_EQ(outcome.code, 2) << "--until takes a number";
@@ -26,7 +36,7 @@ TEST(IntegrateCommand, PrintsATable) {
               testing::MatchesRegex(" *t +x +v\n *0 +1 +0\n *0.5 +-(1|0.999999).*\n *1 +(1|0.999999).*\n"));
 }
 
-TEST(IntegrateCommand, DrawsWithoutColoursIntoAPipe) {
+TEST_F(IntegrateCommand, DrawsWithoutColoursIntoAPipe) {
   const Outcome outcome =
       animado({"integrate", "x' = v; v' = -x", "--from", "x=1, v=0", "--until", "10", "--plot"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -35,7 +45,7 @@ TEST(IntegrateCommand, DrawsWithoutColoursIntoAPipe) {
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST(IntegrateCommand, WritesCsvAndStopsAtAnEvent) {
+TEST_F(IntegrateCommand, WritesCsvAndStopsAtAnEvent) {
   const TemporaryDirectory directory;
   const fs::path file = directory / "fall.csv";
   const Outcome outcome = animado({"integrate", "y' = v; v' = -9.81", "--from", "y=10, v=0", "--until", "9",
@@ -45,7 +55,7 @@ TEST(IntegrateCommand, WritesCsvAndStopsAtAnEvent) {
   EXPECT_THAT(text_of(file), testing::StartsWith("t,y,v\n0,10,0\n"));
 }
 
-TEST(IntegrateCommand, SaysWhereItCouldNotGoOn) {
+TEST_F(IntegrateCommand, SaysWhereItCouldNotGoOn) {
   const Outcome outcome = animado({"integrate", "y' = y^2", "--from", "y=1", "--until", "2"});
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("singular"));
