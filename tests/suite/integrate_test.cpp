@@ -96,7 +96,8 @@ TEST(FredPage, ItsCommandsRun) {
   const size_t begin = text.find(opening) + opening.size();
   const std::string block = text.substr(begin, text.find("```", begin) - begin);
   const TemporaryDirectory directory;
-  const std::string script = "set -e\nPATH='" + std::string(ANIMADO_BIN_DIR) + "':$PATH\n" + block;
+  const std::string script = "set -e\nexport ANIMADO_SOCKET_DIR=$PWD/none PATH='" +
+                             std::string(ANIMADO_BIN_DIR) + "':$PATH\n" + block;
   const Outcome outcome = Command(directory, {"-c", script}, "/bin/sh").finish();
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(std::count(block.begin(), block.end(), '\n'), 5);
