@@ -1,34 +1,14 @@
-"""Lets FRED throw a ball: where does it land? Its argument is the socket of interexpserv, which knows where the others are."""
-import socket
+"""Lets FRED throw a ball: where does it land? Its argument is the socket of interexpserv."""
 import sys
 
-import msgpack
-
-
-class Service:
-    def __init__(self, path):
-        self.socket = socket.socket(socket.AF_UNIX)
-        self.socket.connect(path)
-        self.replies, self.last_id = msgpack.Unpacker(), 0
-        self.call("hello", protocol="animado", version=1, client="integrate.py")
-
-    def call(self, method, **fields):
-        self.last_id += 1
-        self.socket.sendall(msgpack.packb([0, self.last_id, method, [fields]]))
-        while True:
-            for _kind, _id, error, result in self.replies:
-                if error:
-                    raise RuntimeError(f"{error['message']} ({error['remedy']})")
-                return result
-            self.replies.feed(self.socket.recv(65536))
+from service import find
 
 
 def values(**named):
     return [{"name": name, "value": value} for name, value in named.items()]
 
 
-interexpserv = Service(sys.argv[1])
-fred = Service(interexpserv.call("lookup", name="fred")["socket"])
+fred = find("fred", interexpserv=sys.argv[1])
 reply = fred.call(
     "integrate",
     equations=["x' = u", "y' = v", "u' = 0", "v' = -g"],
