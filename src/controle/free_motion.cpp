@@ -16,13 +16,21 @@ fred::Methods::Method method_named(rpc::Channel& fred, const std::string& name) 
               "It has: " + known + ".");
 }
 
+egesp::Prepare::Request matrices_of(const EquationsOfMotion& equations, Workspace& workspace) {
+  const Lanes matrices = workspace.make("matrices", {6, 6, static_cast<int64_t>(equations.bodies())});
+  equations.matrices(matrices.values);
+  egesp::Prepare::Request request;
+  request.matrices = matrices.array;
+  request.layout = egesp::Layout::lanes;
+  return request;
+}
+
 }  // namespace
 
 FreeMotion::FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, const std::string& method,
                        const EquationsOfMotion& equations, const Forces& forces, const Kinematics& kinematics,
                        ContactForces* contact_forces)
     : bodies_(equations.bodies()),
-      egesp_(suite.channel("egesp")),
       fred_(suite.channel("fred")),
       workspace_(workspace),
       meter_(meter),
@@ -30,6 +38,7 @@ FreeMotion::FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, co
       forces_(forces),
       kinematics_(kinematics),
       contact_forces_(contact_forces),
+      matrices_(suite.channel("egesp"), matrices_of(equations, workspace)),
       wrenches_(6 * bodies_) {
   const auto n = static_cast<int64_t>(bodies_);
   const auto tableau = method_named(fred_, method);
@@ -39,13 +48,10 @@ FreeMotion::FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, co
   contact_powers_W_.resize(nodes_.size());
   order_ = static_cast<int>(tableau.order);
 
-  const Lanes matrices = workspace.make("matrices", {6, 6, n});
-  equations_.matrices(matrices.values);
   right_sides_ = workspace.make("right_sides", {6, n});
   rates_ = workspace.make("rates", {tableau.stages, kStateRows, n});
   stage_state_ = make_state("stage");
 
-  solve_.matrices = matrices.array;
   solve_.right_sides = right_sides_.array;
   solve_.layout = egesp::Layout::lanes;
   stage_.method = method;
@@ -67,7 +73,7 @@ void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
   if (contact_forces_) contact_powers_W_[stage] = contact_forces_->add(state, wrenches_.data());
   equations_.right_sides(state.values, wrenches_.data(), right_sides_.values);
   solve_.out = accelerations(stage);  // in body axes as yet
-  meter_.timed("egesp", "solve", [&] { return egesp_.call<egesp::Solve>(solve_); });
+  meter_.timed("egesp", "solve_prepared", [&] { return matrices_.solve(solve_); });
   equations_.complete_rates(state.values, rates_.values + stage * kStateRows * bodies_);
 }
 

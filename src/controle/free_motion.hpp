@@ -13,7 +13,7 @@
 #include "controle/kinematics.hpp"
 #include "controle/meter.hpp"
 #include "controle/workspace.hpp"
-#include "egesp/protocol.hpp"
+#include "egesp/client.hpp"
 #include "fred/protocol.hpp"
 #include "rpc/channel.hpp"
 
@@ -59,16 +59,17 @@ class FreeMotion {
 
   size_t bodies_;
   int order_ = 0;
-  egesp::Solve::Request solve_;
+  egesp::SolvePrepared::Request solve_;
   fred::Stage::Request stage_;
   std::vector<double> nodes_, weights_;
-  rpc::Channel &egesp_, &fred_;
+  rpc::Channel& fred_;
   Workspace& workspace_;
   Meter& meter_;
   const EquationsOfMotion& equations_;
   const Forces& forces_;
   const Kinematics& kinematics_;
   ContactForces* contact_forces_;
+  egesp::PreparedSystems matrices_;  // of equation (1), a constant one for each body
   Lanes right_sides_, rates_, stage_state_;
   std::vector<double> wrenches_;
   std::vector<std::vector<Power>> powers_;  // of each stage of the last step
