@@ -101,7 +101,7 @@ Sweep::Reply sweep_bodies(const Sweep::Request& request, const Prepared& bodies,
   const auto from = read(call, request.from, kStateRows, bodies, "from");
   const auto to = read(call, request.to, kStateRows, bodies, "to");
   const SweepResult found =
-      sweep(bodies.colliders, from.data(), to.data(), positive(request.step_s, "step_s"));
+      sweep(bodies.colliders, bodies.broad_phase, from.data(), to.data(), positive(request.step_s, "step_s"));
   return {found.hit, found.near, found.time_s, found.a, found.b, found.candidates};
 }
 

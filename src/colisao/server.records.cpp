@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "colisao/broad_phase.hpp"
 #include "colisao/manifold.hpp"
 #include "rpc/codec.hpp"
 #include "rpc/encoder.hpp"
@@ -128,7 +127,7 @@ std::vector<double> numbers(const Vec3& v) {
 
 std::vector<Contact> Prepared::contacts(const double* state, double margin_m) const {
   std::vector<Contact> all;
-  for (const auto& [a, b] : candidate_pairs(colliders, state, margin_m)) {
+  for (const auto& [a, b] : broad_phase.pairs_at(state, margin_m)) {
     manifold(a, colliders[static_cast<size_t>(a)].solid,
              load_body(state, size(), static_cast<size_t>(a)).pose, b,
              colliders[static_cast<size_t>(b)].solid, load_body(state, size(), static_cast<size_t>(b)).pose,
@@ -140,10 +139,10 @@ std::vector<Contact> Prepared::contacts(const double* state, double margin_m) co
 ContactFinder Prepared::finder() const {
   ContactFinder finder;
   finder.pairs_at = [this](const double* state, double margin_m) {
-    return candidate_pairs(colliders, state, margin_m);
+    return broad_phase.pairs_at(state, margin_m);
   };
   finder.pairs_between = [this](const double* from, const double* to, double step_s, double margin_m) {
-    return candidate_pairs(colliders, from, to, step_s, margin_m);
+    return broad_phase.pairs_between(from, to, step_s, margin_m);
   };
   finder.manifold = [this](int a, const Pose& pose_a, int b, const Pose& pose_b, double margin_m,
                            std::vector<Contact>& out) {
@@ -174,6 +173,7 @@ std::shared_ptr<const Prepared> prepared(const Prepare::Request& request) {
                   error.remedy());
     }
   }
+  result->broad_phase = BroadPhase(result->colliders);
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "colisao/advance.hpp"
-#include "colisao/collider.hpp"
+#include "colisao/broad_phase.hpp"
 #include "colisao/protocol.hpp"
 
 namespace animado::colisao {
@@ -13,6 +13,7 @@ namespace animado::colisao {
 struct Prepared {
   Bodies bodies;
   std::vector<Collider> colliders;
+  BroadPhase broad_phase;  // of the colliders
 
   size_t size() const { return colliders.size(); }
   // The contacts of a state of shape (13, bodies): by pair, then by feature.

@@ -1,15 +1,15 @@
 #include "colisao/sweep.hpp"
 
 #include "base/state.hpp"
-#include "colisao/broad_phase.hpp"
 #include "colisao/distance.hpp"
 #include "colisao/time_of_impact.hpp"
 
 namespace animado::colisao {
 
-SweepResult sweep(std::span<const Collider> bodies, const double* from, const double* to, double step_s) {
+SweepResult sweep(std::span<const Collider> bodies, const BroadPhase& broad_phase, const double* from,
+                  const double* to, double step_s) {
   const size_t n = bodies.size();
-  const std::vector<Pair> pairs = candidate_pairs(bodies, from, to, step_s, kNear_m);
+  const std::vector<Pair> pairs = broad_phase.pairs_between(from, to, step_s, kNear_m);
   SweepResult result;
   result.time_s = step_s;
   result.candidates = static_cast<int64_t>(pairs.size());

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "colisao/collider.hpp"
+#include "colisao/broad_phase.hpp"
 
 namespace animado::colisao {
 
@@ -20,7 +20,8 @@ struct SweepResult {
 // So near that the contacts are worth asking for.
 constexpr double kNear_m = 1e-3;
 
-// States of shape (13, bodies), rows as in base/state.hpp, step_s apart.
-SweepResult sweep(std::span<const Collider> bodies, const double* from, const double* to, double step_s);
+// States of shape (13, bodies), rows as in base/state.hpp, step_s apart. broad_phase: of the same bodies.
+SweepResult sweep(std::span<const Collider> bodies, const BroadPhase& broad_phase, const double* from,
+                  const double* to, double step_s);
 
 }  // namespace animado::colisao

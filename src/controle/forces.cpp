@@ -7,7 +7,8 @@ namespace animado::controle {
 
 Forces::Forces(const Scene& scene, std::vector<Inertia> inertias, std::vector<Drive> drives)
     : scene_(scene), inertias_(std::move(inertias)), drives_(std::move(drives)) {
-  for (const Body& body : scene.bodies) falls_.push_back(body.motion == Motion::dynamic);
+  for (size_t i = 0; i < inertias_.size(); ++i)
+    falling_kg_.push_back(scene.bodies[i].motion == Motion::dynamic ? inertias_[i].mass_kg : 0);
 }
 
 Vec3 Forces::center_velocity(size_t body, const BodyState& state) const {
@@ -45,7 +46,7 @@ void Forces::evaluate(const Moment& moment, double* wrenches, Power* powers) con
   const size_t n = moment.bodies;
   for (size_t k = 0; k < 3; ++k) {
     const double g = scene_.world.gravity_m_s2[static_cast<int>(k)];
-    for (size_t i = 0; i < n; ++i) wrenches[k * n + i] = falls_[i] ? inertias_[i].mass_kg * g : 0.0;
+    for (size_t i = 0; i < n; ++i) wrenches[k * n + i] = falling_kg_[i] * g;
   }
   std::fill(wrenches + 3 * n, wrenches + 6 * n, 0.0);
   for (size_t d = 0; d < drives_.size(); ++d) {

@@ -53,7 +53,7 @@ class Forces {
 
   const Scene& scene_;
   std::vector<Inertia> inertias_;
-  std::vector<bool> falls_;
+  std::vector<double> falling_kg_;  // mass that gravity pulls: none of a body that is not dynamic
   std::vector<Drive> drives_;
 };
 

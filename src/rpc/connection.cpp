@@ -60,18 +60,32 @@ void Connection::make_room() {
   if (end_ == in_.size()) in_.resize(std::max(kFirstRoom, 2 * in_.size()));
 }
 
-Connection::Received Connection::receive() {
+Connection::Received Connection::receive_by(Clock::time_point deadline) {
+  using std::chrono::ceil, std::chrono::milliseconds, std::chrono::seconds;
+  const auto left = ceil<milliseconds>(deadline - Clock::now());
+  if (left.count() <= 0) return Received::nothing;
+  // Long waits in whole seconds: the kernel need not be told anew before each.
+  const milliseconds timeout = left > seconds(1) ? ceil<seconds>(left) : left;
+  if (timeout != timeout_) {
+    const timeval time{timeout.count() / 1000, timeout.count() % 1000 * 1000};
+    setsockopt(fd_.get(), SOL_SOCKET, SO_RCVTIMEO, &time, sizeof time);
+    timeout_ = timeout;
+  }
+  return receive(0);
+}
+
+Connection::Received Connection::receive(int flags) {
   make_room();
   const ssize_t count = descriptors_ == Descriptors::taken
-                            ? receive_with_descriptor()
-                            : ::recv(fd_.get(), in_.data() + end_, in_.size() - end_, MSG_DONTWAIT);
+                            ? receive_with_descriptor(flags)
+                            : ::recv(fd_.get(), in_.data() + end_, in_.size() - end_, flags);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Received::nothing;
   if (count <= 0) return Received::closed;
   end_ += static_cast<size_t>(count);
   return Received::bytes;
 }
 
-ssize_t Connection::receive_with_descriptor() {
+ssize_t Connection::receive_with_descriptor(int flags) {
   DescriptorSpace space;
   iovec part{in_.data() + end_, in_.size() - end_};
   msghdr header{};
@@ -79,7 +93,7 @@ ssize_t Connection::receive_with_descriptor() {
   header.msg_iovlen = 1;
   header.msg_control = space.bytes;
   header.msg_controllen = sizeof space.bytes;
-  const ssize_t count = ::recvmsg(fd_.get(), &header, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+  const ssize_t count = ::recvmsg(fd_.get(), &header, flags | MSG_CMSG_CLOEXEC);
   if (count > 0 && header.msg_controllen > 0) received_ = descriptor_in(header);
   return count;
 }

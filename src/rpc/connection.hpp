@@ -1,12 +1,11 @@
-// One end of a connection: bytes in, whole messages out, and back. Never blocks; whoever owns it decides how
-// to wait.
+// One end of a connection: bytes in, whole messages out, and back. Whoever owns it decides how to wait.
 //
 // Plain recv and send rather than Asio: a reactor's trip through epoll would double the time of a round trip
 // that polling brings to 5 µs, and descriptors travel with the bytes (SCM_RIGHTS), which Asio leaves to
 // recvmsg anyway.
 #pragma once
 
-#include <sys/types.h>
+#include <sys/socket.h>
 
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 
 #include "rpc/msgpack_head.hpp"
 #include "rpc/unique_fd.hpp"
+#include "rpc/waiting.hpp"
 
 namespace animado::rpc {
 
@@ -29,7 +29,10 @@ class Connection {
   int fd() const { return fd_.get(); }
 
   enum class Received { bytes, nothing, closed };
-  Received receive();  // what is there now
+  Received receive() { return receive(MSG_DONTWAIT); }  // what is there now
+  // Sleeps until something is there or the time is over. One call to the kernel where poll and recv are two;
+  // the descriptor must be one that blocks.
+  Received receive_by(Clock::time_point deadline);
 
   // Takes the next whole message, if it is there; it stays valid until the next receive(). Throws what
   // Scanner::scan throws.
@@ -45,8 +48,9 @@ class Connection {
   UniqueFd take_descriptor() { return std::move(received_); }
 
  private:
+  Received receive(int flags);
   void make_room();
-  ssize_t receive_with_descriptor();
+  ssize_t receive_with_descriptor(int flags);
 
   UniqueFd fd_;
   Descriptors descriptors_;
@@ -56,6 +60,7 @@ class Connection {
   Scanner scanner_;
   std::string out_;
   size_t sent_ = 0;
+  std::chrono::milliseconds timeout_{0};  // that the kernel was told; 0: none
 };
 
 }  // namespace animado::rpc

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
+#include <sys/timerfd.h>
 
 #include "rpc/endpoint.hpp"
 
@@ -28,7 +29,9 @@ Server::Server(Dispatcher& dispatcher, std::filesystem::path socket)
     : dispatcher_(dispatcher),
       socket_(std::move(socket)),
       listener_(listen_at(socket_)),
-      wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+      wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
+      log_timer_(timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)) {
+  for (UniqueFd* fd : {&listener_, &wake_, &log_timer_}) epoll_.watch(fd->get(), EPOLLIN, fd);
   dispatcher_.service().post = [this](ConnectionId id, std::string_view message) {
     return post(id, message);
   };
@@ -50,57 +53,78 @@ void Server::stop() noexcept {
       ::write(wake_.get(), &one, sizeof one);  // full only when it is awake already
 }
 
+void Server::keep(Companion& companion) {
+  companion_ = &companion;
+  companion_fd_ = companion.fd();
+  epoll_.watch(companion_fd_, EPOLLIN, companion_);
+}
+
 void Server::run() {
   while (!stopping_) {
-    if (!patience_.poll([this] { return look() || stopping_; })) sleep();
+    if (!patience_.poll([this] { return look() || stopping_; })) wait(true);
   }
   dispatcher_.log().flush();
 }
 
-void Server::sleep() {
-  Log& log = dispatcher_.log();
-  const auto write_out = last_flush_ + kLogDelay;
-  wait(log.dirty() ? std::max(write_out - Clock::now(), Clock::duration::zero()) : Clock::duration::max());
-  if (!log.dirty() || Clock::now() < write_out) return;
-  log.flush();
-  last_flush_ = Clock::now();
-}
-
 bool Server::look() {
   const bool notified = send_notifications();
+  if (!notified && !patience_.pays()) return false;
   const bool everybody = last_ == nullptr || ++looks_ % kLooksAtLast == 0;
-  if (everybody) return wait(Clock::duration::zero()) || notified;
+  if (everybody) return wait(false) || notified;
   if (!serve(*last_)) return notified;
-  if (last_->ending || Clock::now() - last_full_look_ > kFullLook) wait(Clock::duration::zero());
+  if (last_->ending || last_done_ - last_full_look_ > kFullLook) wait(false);
   return true;
 }
 
-bool Server::wait(Clock::duration longest) {
-  const auto now = Clock::now();
-  last_full_look_ = now;
-  if (companion_)
-    longest = std::min(longest, std::max(companion_->next_time() - now, Clock::duration::zero()));
-  const int timeout_ms =
-      longest == Clock::duration::max()
-          ? -1
-          : static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(longest).count());
-  polled_.assign({{wake_.get(), POLLIN, 0},
-                  {listener_.get(), POLLIN, 0},
-                  {companion_ ? companion_->fd() : -1, POLLIN, 0}});
-  for (const Peer& peer : peers_) {
-    const short events = peer.connection.unsent() > 0 && !peer.notified ? POLLOUT : POLLIN;
-    polled_.push_back({peer.connection.fd(), events, 0});
+bool Server::wait(bool sleep) {
+  start_log_timer();
+  const auto next = companion_ ? companion_->next_time() : Clock::time_point::max();
+  int timeout_ms = sleep ? -1 : 0;
+  if (sleep && next != Clock::time_point::max()) {
+    const auto left = std::max(next - Clock::now(), Clock::duration::zero());
+    timeout_ms = static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
   }
-  const int ready = ::poll(polled_.data(), polled_.size(), timeout_ms);
-  if (timeout_ms != 0) patience_.slept();
-  if (companion_ && (polled_[2].revents != 0 || Clock::now() >= companion_->next_time())) companion_->step();
-  size_t at = 3;
-  for (auto peer = peers_.begin(); ready > 0 && at < polled_.size(); ++peer, ++at) {
-    if (polled_[at].revents != 0) serve(*peer);
+  const auto ready = epoll_.wait(timeout_ms);
+  if (sleep) patience_.slept();
+  last_full_look_ = Clock::now();
+  bool for_companion = last_full_look_ >= next, connecting = false;
+  for (const epoll_event& event : ready) {
+    if (event.data.ptr == companion_) {
+      for_companion = true;
+    } else if (event.data.ptr == &listener_) {
+      connecting = true;
+    } else if (event.data.ptr == &log_timer_) {
+      write_log();
+    } else if (event.data.ptr != &wake_) {
+      serve(*static_cast<Peer*>(event.data.ptr));
+    }
   }
-  if (ready > 0 && polled_[1].revents != 0) accept_all();
+  if (for_companion) step_companion();
+  if (connecting) accept_all();
   drop_ended();
-  return ready > 0;
+  return !ready.empty();
+}
+
+// Its descriptor may be another one afterwards.
+void Server::step_companion() {
+  companion_->step();
+  epoll_.forget(companion_fd_);
+  companion_fd_ = companion_->fd();
+  epoll_.watch(companion_fd_, EPOLLIN, companion_);
+}
+
+void Server::start_log_timer() {
+  if (log_timer_runs_ || !dispatcher_.log().dirty()) return;
+  const itimerspec once{{0, 0}, {0, std::chrono::nanoseconds(kLogDelay).count()}};
+  timerfd_settime(log_timer_.get(), 0, &once, nullptr);
+  log_timer_runs_ = true;
+}
+
+void Server::write_log() {
+  uint64_t times;
+  [[maybe_unused]] const auto read = ::read(log_timer_.get(), &times, sizeof times);  // it is ready no more
+  log_timer_runs_ = false;
+  dispatcher_.log().flush();
 }
 
 void Server::accept_all() {
@@ -116,6 +140,7 @@ void Server::accept_all() {
       Peer& peer =
           peers_.emplace_back(std::move(fd), adopts ? Descriptors::taken : Descriptors::discarded, next_id_);
       by_id_[next_id_++] = &peer;
+      epoll_.watch(peer.connection.fd(), EPOLLIN, &peer);
     }
   }
 }
@@ -137,6 +162,10 @@ bool Server::send_notifications() {
 // Sends what the peer takes, and tells when it has taken all that it left.
 void Server::flush(Peer& peer) {
   peer.ending |= !peer.connection.flush();
+  if (peer.blocked != (peer.connection.unsent() > 0)) {
+    peer.blocked = !peer.blocked;
+    epoll_.change(peer.connection.fd(), peer.blocked ? EPOLLOUT : EPOLLIN, &peer);
+  }
   notified_ -= std::exchange(peer.notified, false);
   if (!peer.full || peer.ending || peer.connection.unsent() > 0) return;
   peer.full = false;
@@ -151,7 +180,8 @@ bool Server::serve(Peer& peer) {
     serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
   if (!received) return false;
   last_ = &peer;
-  dispatcher_.was_busy(Clock::now() - last_arrival_);
+  last_done_ = Clock::now();
+  dispatcher_.was_busy(last_done_ - last_arrival_);
   return true;
 }
 

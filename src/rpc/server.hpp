@@ -11,6 +11,7 @@
 
 #include "rpc/connection.hpp"
 #include "rpc/dispatcher.hpp"
+#include "rpc/epoll.hpp"
 #include "rpc/unique_fd.hpp"
 #include "rpc/waiting.hpp"
 #include "rpc/wire.hpp"
@@ -33,7 +34,7 @@ class Server {
   Server(Dispatcher& dispatcher, std::filesystem::path socket);
   ~Server();
 
-  void keep(Companion& companion) { companion_ = &companion; }
+  void keep(Companion& companion);
   void run();            // until stop()
   void stop() noexcept;  // from any thread, or a signal handler
   const std::filesystem::path& socket() const { return socket_; }
@@ -47,14 +48,17 @@ class Server {
     bool greeted = false, ending = false;
     bool notified = false;  // and not sent yet
     bool full = false;      // of notifications that it does not read
+    bool blocked = false;   // does not take what was sent: waited for until it does
     std::string client, trace;
   };
   using Peers = std::list<Peer>;
 
-  void sleep();  // until something comes; writes the log out meanwhile
-  bool look();   // serves who spoke last, and now and then everybody; true when there was something to do
-  bool send_notifications();           // to a few; true when there were some
-  bool wait(Clock::duration longest);  // waits for anything, then serves it
+  bool look();  // serves who spoke last, and now and then everybody; true when there was something to do
+  bool send_notifications();  // to a few; true when there were some
+  bool wait(bool sleep);      // for anything, and serves it; false when nothing came
+  void step_companion();
+  void start_log_timer();  // the log is written out when it is over, not at every line
+  void write_log();
   void accept_all();
   bool serve(Peer& peer);  // true when something came
   bool receive(Peer& peer);
@@ -75,8 +79,10 @@ class Server {
 
   Dispatcher& dispatcher_;
   std::filesystem::path socket_;
-  UniqueFd listener_, wake_;
+  UniqueFd listener_, wake_, log_timer_;
+  Epoll epoll_;
   Companion* companion_ = nullptr;
+  int companion_fd_ = -1;
   std::atomic<bool> stopping_{false};
   Peers peers_;
   std::unordered_map<ConnectionId, Peer*> by_id_;
@@ -84,9 +90,9 @@ class Server {
   ConnectionId next_id_ = 1;
   int looks_ = 0;
   size_t notified_ = 0;  // peers
-  Clock::time_point last_full_look_, last_arrival_, last_flush_;
+  Clock::time_point last_full_look_, last_arrival_, last_done_;
+  bool log_timer_runs_ = false;
   Patience patience_;
-  std::vector<pollfd> polled_;
 };
 
 }  // namespace animado::rpc

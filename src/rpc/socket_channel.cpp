@@ -123,6 +123,7 @@ std::filesystem::path SocketChannel::find_socket() {
 void SocketChannel::connect() {
   UniqueFd fd = connect_to(find_socket());
   if (!fd) throw Broken{};
+  fcntl(fd.get(), F_SETFL, 0);  // it may sleep in recv; who does not want to says so with each call
   connection_.emplace(std::move(fd), service_ == kWellKnown ? Descriptors::taken : Descriptors::discarded);
   inbox_.clear();
   ++connections_;
@@ -153,19 +154,22 @@ void SocketChannel::send(Clock::time_point deadline, std::string_view method) {
   }
 }
 
-// Takes the bytes that are there; false when there are none.
-bool SocketChannel::receive_now() {
-  const auto received = connection_->receive();
+bool SocketChannel::has_come(Connection::Received received) {
   if (received == Connection::Received::closed) throw Broken{};
   return received == Connection::Received::bytes;
 }
 
+// Takes the bytes that are there; false when there are none.
+bool SocketChannel::receive_now() {
+  return has_come(connection_->receive());
+}
+
 // Waits for bytes; false when none came in time.
 bool SocketChannel::receive(Clock::time_point deadline) {
-  if (patience_.poll([this] { return receive_now(); })) return true;
-  const bool readable = wait_until(connection_->fd(), POLLIN, deadline);
+  if (patience_.pays() && patience_.poll([this] { return receive_now(); })) return true;
+  const auto received = connection_->receive_by(deadline);
   patience_.slept();
-  return readable && (receive_now() || Clock::now() < deadline);
+  return has_come(received) || Clock::now() < deadline;
 }
 
 // Takes the next message that is there. A peer that sends something else loses the connection.

@@ -62,6 +62,7 @@ class SocketChannel final : public Channel {
   void say_hello();
   void send(Clock::time_point deadline, std::string_view method);
   std::string_view receive_reply(int64_t id, Clock::time_point deadline, std::string_view method);
+  static bool has_come(Connection::Received received);
   bool receive_now();
   bool receive(Clock::time_point deadline);
   bool next_envelope(Envelope& envelope, std::string_view& message);

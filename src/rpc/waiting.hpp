@@ -26,6 +26,9 @@ inline bool several_cores() {
 // polled and waited that long sleeps at once for a while.
 class Patience {
  public:
+  // Whether to look before one sleeps may find anything.
+  bool pays() const { return several_cores_; }
+
   // Tries until it succeeds or polling does not pay any more; false then: sleep, and say so.
   template <class Attempt>
   bool poll(Attempt&& attempt) {

@@ -28,7 +28,7 @@ TEST(BroadPhase, NamesEveryPairOfBallsThatMeets) {
   const double h = 1.0 / 60;
   std::vector<BodyState> later;
   for (const BodyState& s : states) later.push_back(after(s, h));
-  const auto pairs = candidate_pairs(bodies, lay_out(states).data(), lay_out(later).data(), h, 0.01);
+  const auto pairs = BroadPhase(bodies).pairs_between(lay_out(states).data(), lay_out(later).data(), h, 0.01);
   const std::set<Pair> named(pairs.begin(), pairs.end());
   EXPECT_EQ(named.size(), pairs.size());
   EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
@@ -57,7 +57,7 @@ TEST(BroadPhase, ABodyThatSpinsInPlaceKeepsItsBox) {
   const BodyState left{{{0, 0, 0}, Quat::Identity()}, Vec3::Zero(), {0, 900, 700}};
   const BodyState right{{{2.2, 0, 0}, Quat::Identity()}, Vec3::Zero(), {500, 0, 300}};
   const auto from = lay_out({left, right}), to = lay_out({after(left, 0.1), after(right, 0.1)});
-  EXPECT_TRUE(candidate_pairs(bodies, from.data(), to.data(), 0.1, 0.01).empty());
+  EXPECT_TRUE(BroadPhase(bodies).pairs_between(from.data(), to.data(), 0.1, 0.01).empty());
 }
 
 TEST(BroadPhase, LongFloorsAndPlanesNameOnlyWhatIsNear) {
@@ -68,7 +68,7 @@ TEST(BroadPhase, LongFloorsAndPlanesNameOnlyWhatIsNear) {
     bodies.push_back({Solid(Sphere{1}), Motion::dynamic, {}, {}});
     states.push_back({{{y < 0 ? 60.0 : 0.0, y, 0}, Quat::Identity()}, Vec3::Zero(), Vec3::Zero()});
   }
-  EXPECT_EQ(candidate_pairs(bodies, lay_out(states).data(), 0.01), (std::vector<Pair>{{0, 2}, {1, 4}}));
+  EXPECT_EQ(BroadPhase(bodies).pairs_at(lay_out(states).data(), 0.01), (std::vector<Pair>{{0, 2}, {1, 4}}));
 }
 
 TEST(BroadPhase, GroupsMustAllowEachOther) {

@@ -23,7 +23,7 @@ struct World {
       store_body(from.data(), n, i, states[i]);
       store_body(to.data(), n, i, after(states[i], step_s));
     }
-    return sweep(bodies, from.data(), to.data(), step_s);
+    return sweep(bodies, BroadPhase(bodies), from.data(), to.data(), step_s);
   }
 };
 
