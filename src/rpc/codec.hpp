@@ -55,6 +55,7 @@ void summarize(const Type& type, const void* value, std::string& out);
 
 // Appends text from outside so that a log line stays one line: control characters become '?'.
 void append_printable(std::string_view text, std::string& out);
+void append_integer(int64_t value, std::string& out);
 
 // JSON text of a value; numbers of arrays are written in full, NaN and infinity as null.
 std::string to_json(const Type& type, const void* value);

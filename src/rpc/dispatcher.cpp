@@ -158,14 +158,18 @@ void Dispatcher::write_line(const MessageCodec& codec, const void* request, cons
   if (!log_.enabled(level)) return;
   line_.clear();
   append_printable(marks.trace.empty() ? "-" : marks.trace.substr(0, kMaxShown), line_);
-  fmt::format_to(std::back_inserter(line_), "#{} ", marks.seq);
+  line_ += '#';
+  append_integer(marks.seq, line_);
+  line_ += ' ';
   append_printable(codec.name.substr(0, kMaxShown), line_);
   line_ += ' ';
   summarize(codec.request, request, line_);
   if (line_.back() != ' ') line_ += ' ';
-  const int64_t tenths = ((outcome.end - outcome.begin).count() + 50) /
-                         100;  // of a microsecond; integers are written four times as fast
-  fmt::format_to(std::back_inserter(line_), "{}.{} µs ", tenths / 10, tenths % 10);
+  const int64_t tenths_us = ((outcome.end - outcome.begin).count() + 50) / 100;
+  append_integer(tenths_us / 10, line_);
+  line_ += '.';
+  append_integer(tenths_us % 10, line_);
+  line_ += " µs ";
   if (outcome.error) {
     line_ += name_of(outcome.error->code());
     line_ += ": ";

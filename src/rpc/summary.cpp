@@ -22,7 +22,12 @@ void append_array(const Array& array, std::string& out) {
     out += '@';
     append_text(array.shared, out);
   }
-  fmt::format_to(std::back_inserter(out), "({})", fmt::join(array.shape, ","));
+  out += '(';
+  for (size_t k = 0; k < array.shape.size(); ++k) {
+    if (k > 0) out += ',';
+    append_integer(array.shape[k], out);
+  }
+  out += ')';
 }
 
 void append_value(const Type& type, const void* value, std::string& out);
@@ -45,7 +50,7 @@ void append_list(const Type& type, const void* value, std::string& out) {
   const auto* at = static_cast<const char*>(type.elements(value));
   out += '[';
   if (count > kMaxElements || type.element->kind == Type::Kind::record) {
-    fmt::format_to(std::back_inserter(out), "{}", count);
+    append_integer(static_cast<int64_t>(count), out);
   } else {
     for (size_t i = 0; i < count; ++i) {
       if (i > 0) out += ' ';
@@ -61,8 +66,7 @@ void append_value(const Type& type, const void* value, std::string& out) {
       out += *static_cast<const bool*>(value) ? "true" : "false";
       return;
     case Type::Kind::integer:
-      fmt::format_to(std::back_inserter(out), "{}", *static_cast<const int64_t*>(value));
-      return;
+      return append_integer(*static_cast<const int64_t*>(value), out);
     case Type::Kind::number:
       fmt::format_to(std::back_inserter(out), "{}", *static_cast<const double*>(value));
       return;
@@ -90,7 +94,15 @@ void append_value(const Type& type, const void* value, std::string& out) {
 }  // namespace
 
 void append_printable(std::string_view text, std::string& out) {
-  for (char c : text) out += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+  const size_t begin = out.size();
+  out += text;
+  for (char& c : std::span(out).subspan(begin))
+    c = static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+}
+
+void append_integer(int64_t value, std::string& out) {
+  const fmt::format_int digits(value);
+  out.append(digits.data(), digits.size());
 }
 
 void summarize(const Type& type, const void* value, std::string& out) {
