@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 
 #include "animado/braille_plot.hpp"
 #include "animado/commands.hpp"
-#include "animado/in_process.hpp"
-#include "animado/running_suite.hpp"
+#include "animado/suite_or_own.hpp"
 #include "animado/terminal.hpp"
 #include "base/error.hpp"
+#include "controle/results/output_file.hpp"
 #include "fred/client.hpp"
 #include "interexpserv/program.hpp"
 
@@ -130,18 +129,11 @@ void print_table(const fred::Integrate::Reply& reply) {
   }
 }
 
-// Written whole or not at all.
-void write_csv(const fred::Integrate::Reply& reply, const std::filesystem::path& file) {
-  const std::filesystem::path partial = file.string() + ".part";
-  std::ofstream out(partial);
-  for (const auto& row : table(reply, "{:.17g}")) out << fmt::format("{}\n", fmt::join(row, ","));
-  out.close();
-  std::error_code failed;
-  if (out) std::filesystem::rename(partial, file, failed);
-  if (!out || failed) {
-    throw Error(Code::refused, "the file cannot be written", file.string(),
-                "look at its folder and the free space");
-  }
+void write_csv(const fred::Integrate::Reply& reply, const std::string& file) {
+  std::string text;
+  for (const auto& row : table(reply, "{:.17g}"))
+    fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(row, ","));
+  controle::write_whole(file, text);
 }
 
 void print_plot(const fred::Integrate::Reply& reply) {
@@ -201,12 +193,7 @@ ExitCode tell_end(const fred::Integrate::Reply& reply) {
 }
 
 ExitCode integrate(const Options& options) {
-  std::unique_ptr<rpc::Suite> suite = find_suite(options.suite);
-  if (!suite) {
-    if (!options.suite.run.empty() || !options.suite.socket_dir.empty())
-      connect_to_suite(options.suite);  // says what is missing
-    suite = suite_in_process({});
-  }
+  const auto suite = suite_or_own(options.suite);
   fred::Client fred(suite->channel("fred"));
   const auto reply = fred.integrate(request_of(options, fred));
   if (!options.csv.empty()) write_csv(reply, options.csv);

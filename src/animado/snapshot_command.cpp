@@ -17,13 +17,7 @@ struct Options {
 void snapshot(const Options& options) {
   const std::string text =
       names_text(interexpserv::Client(*connect_to_suite(options.suite)).snapshot(options.prefix));
-  if (options.file.empty()) {
-    fmt::print("{}", text);
-    return;
-  }
-  controle::OutputFile file(options.file);
-  file.write(text);
-  file.close();
+  options.file.empty() ? fmt::print("{}", text) : controle::write_whole(options.file, text);
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <fstream>
-
 #include "animado/commands.hpp"
-#include "animado/in_process.hpp"
 #include "animado/matrix_market.hpp"
-#include "animado/running_suite.hpp"
+#include "animado/suite_or_own.hpp"
 #include "animado/terminal.hpp"
+#include "controle/results/output_file.hpp"
 #include "egesp/client.hpp"
 #include "rpc/shared_array.hpp"
 
@@ -35,13 +33,6 @@ struct Options {
   std::optional<double> threshold;
   bool residual = false, refine = false, condition = false, least_squares = false, minimum_norm = false;
 };
-
-std::unique_ptr<rpc::Suite> suite_for(const SuiteChoice& choice) {
-  if (auto suite = find_suite(choice)) return suite;
-  if (!choice.run.empty() || !choice.socket_dir.empty())
-    return connect_to_suite(choice);  // says what is missing
-  return suite_in_process();
-}
 
 // The numbers of one call, on their way to egesp and back.
 class Numbers {
@@ -146,17 +137,13 @@ void write_solution(const std::string& file, const MarketMatrix& a, const Market
       fmt::print("{}\n", fmt::join(x.subspan(i, static_cast<size_t>(b.columns)), " "));
     return;
   }
-  std::ofstream out(file, std::ios::binary);
-  out << matrix_market_text(a.columns, b.columns, x);
-  if (!out.flush())
-    throw Error(Code::unavailable, "the file cannot be written", file,
-                "is there room, and may you write there?");
+  controle::write_whole(file, matrix_market_text(a.columns, b.columns, x));
 }
 
 void solve(const Options& o) {
   const MarketMatrix a = read_matrix_market(o.matrix), b = read_matrix_market(o.right_side);
   check_shapes(o, a, b);
-  const auto suite = suite_for(o.suite);
+  const auto suite = suite_or_own(o.suite);
   egesp::Client egesp(suite->channel("egesp"));
   Numbers numbers(*suite);
   Array sides = numbers.send({b.rows, b.columns}, b.dense());

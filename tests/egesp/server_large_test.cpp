@@ -23,10 +23,7 @@ using testing::SizeIs;
 class EgespLarge : public testing::Test {
  protected:
   EgespLarge() : service_("egesp") {
-    struct NoSuite : rpc::Suite {
-      rpc::Channel& channel(std::string_view) override { throw Error(Code::unavailable, "none"); }
-      rpc::SharedArrays& arrays() override { throw Error(Code::unavailable, "none"); }
-    } none;
+    rpc::NoSuite none;
     fill_table(service_, none);
   }
   rpc::Service service_;

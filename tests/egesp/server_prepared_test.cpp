@@ -35,10 +35,7 @@ class PreparedMessages : public testing::Test {
     return ask<SolvePrepared>(service_, sides(handle, std::move(right_sides))).solutions.values;
   }
 
-  struct NoSuite : rpc::Suite {
-    rpc::Channel& channel(std::string_view) override { throw Error(Code::unavailable, "none"); }
-    rpc::SharedArrays& arrays() override { throw Error(Code::unavailable, "none"); }
-  } none_;
+  rpc::NoSuite none_;
   rpc::Service service_;
 };
 

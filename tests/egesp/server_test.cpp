@@ -27,10 +27,7 @@ Invert::Request inverse_of(Array matrices) {
 
 const rpc::Service& service() {
   static rpc::Service kService = [] {
-    struct NoSuite : rpc::Suite {
-      rpc::Channel& channel(std::string_view) override { throw Error(Code::unavailable, "none"); }
-      rpc::SharedArrays& arrays() override { throw Error(Code::unavailable, "none"); }
-    } none;
+    rpc::NoSuite none;
     rpc::Service filled("egesp");
     fill_table(filled, none);
     return filled;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "rpc/channel.hpp"
 #include "rpc/service.hpp"
 
 namespace animado::rpc {
@@ -25,6 +26,13 @@ class FakeCall : public Call {
         .subspan(static_cast<size_t>(array.offset), static_cast<size_t>(array.count()));
   }
   void send_descriptor(int) override {}
+};
+
+// For a service that calls no other one.
+class NoSuite : public Suite {
+ public:
+  Channel& channel(std::string_view) override { throw Error(Code::unavailable, "none"); }
+  SharedArrays& arrays() override { throw Error(Code::unavailable, "none"); }
 };
 
 // What the service answers to a message M.

@@ -126,6 +126,18 @@ TEST(Handles, EndWithTheirConnectionOverASocketToo) {
   EXPECT_NE(prepare(other), handle);
 }
 
+TEST(Handles, PreparedSystemsOutliveTheServer) {
+  Services services;
+  egesp::Prepare::Request matrices;
+  matrices.matrices = rpc::Array::inlined({2, 2}, {2, 0, 0, 4});
+  egesp::PreparedSystems systems(services.suite().channel("egesp"), matrices);
+  egesp::SolvePrepared::Request request;
+  request.right_sides = rpc::Array::inlined({2}, {6, 8});
+  EXPECT_THAT(systems.solve(request).solutions.values, testing::ElementsAre(3, 2));
+  services.restart("egesp", SIGKILL);
+  EXPECT_THAT(systems.solve(request).solutions.values, testing::ElementsAre(3, 2));
+}
+
 TEST(EgespPage, ShowsTheShellExampleAndWhatItPrints) {
   const auto shown = blocks(kDocs / "egesp.md", "sh"), printed = blocks(kDocs / "egesp.md", "text");
   ASSERT_EQ(shown.size(), 2u);

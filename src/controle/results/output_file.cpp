@@ -53,9 +53,28 @@ void OutputFile::close() {
 void OutputFile::fail(std::string_view action) const {
   const int cause = errno;
   throw Error(Code::unavailable, fmt::format("cannot {}: {}", action, std::strerror(cause)), path_.string(),
-              cause == ENOSPC || cause == EDQUOT
-                  ? "free space on the disk, or give another directory with --out"
-                  : "give a directory that can be written with --out");
+              cause == ENOSPC || cause == EDQUOT ? "free space on the disk, or write to another one"
+                                                 : "write to a folder that exists and takes new files");
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text) {
+  std::error_code unknown;
+  const bool replaces = std::filesystem::is_regular_file(path, unknown);
+  // What is there and no file, as a terminal or a pipe, stays what it is.
+  const bool in_place = !replaces && std::filesystem::exists(path, unknown);
+  const std::filesystem::path written = in_place ? path.string() : path.string() + ".part";
+  OutputFile file(written);
+  try {
+    file.write(text);
+    file.close();
+    if (!in_place) std::filesystem::rename(written, path);
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::filesystem::remove(written, unknown);
+    throw Error(Code::unavailable, error.code().message(), path.string(), "write to another folder");
+  } catch (...) {
+    if (!in_place) std::filesystem::remove(written, unknown);
+    throw;
+  }
 }
 
 }  // namespace animado::controle

@@ -28,4 +28,7 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
+// The whole text, or what was there before. Throws Error(unavailable).
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace animado::controle

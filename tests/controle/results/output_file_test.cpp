@@ -29,6 +29,27 @@ TEST(OutputFile, AFlushIsSeenByOthers) {
   EXPECT_EQ(text_of(directory.path() / "f"), "a line\n");
 }
 
+TEST(OutputFile, AWholeFileTakesThePlaceOfTheOld) {
+  const TemporaryDirectory directory;
+  write_text(directory.path() / "f", "old");
+  write_whole(directory.path() / "f", "new");
+  EXPECT_EQ(text_of(directory.path() / "f"), "new");
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "f.part"));
+}
+
+TEST(OutputFile, WhatCannotBeWrittenWholeLeavesTheOld) {
+  const TemporaryDirectory directory;
+  write_text(directory.path() / "f", "old");
+  std::filesystem::create_directory(directory.path() / "f.part");  // in the way
+  EXPECT_THROW(write_whole(directory.path() / "f", "new"), Error);
+  EXPECT_EQ(text_of(directory.path() / "f"), "old");
+}
+
+TEST(OutputFile, WhatIsNoFileIsWrittenInPlace) {
+  EXPECT_NO_THROW(write_whole("/dev/null", "gone"));
+  EXPECT_FALSE(std::filesystem::exists("/dev/null.part"));
+}
+
 TEST(OutputFile, EmptiesWhatWasThere) {
   const TemporaryDirectory directory;
   write_text(directory.path() / "f", "a long old text");
