@@ -1,6 +1,7 @@
-// A register of doubles, one a system, and the few operations that elimination is made of. Only lanes.cpp
-// includes this: no standard header is, and everything has internal linkage, because an inline function
-// compiled here for AVX-512 must not become the copy that the linker keeps for the whole program.
+// A register of doubles, and the few operations that elimination is made of. For sources that are compiled
+// once for each instruction set: no standard header is included, and everything has internal linkage, because
+// an inline function compiled here for AVX-512 must not become the copy that the linker keeps for the whole
+// program.
 #pragma once
 
 #include <stddef.h>

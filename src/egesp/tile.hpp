@@ -10,19 +10,13 @@
 // internal linkage and no standard header is included (see lanes.cpp).
 #pragma once
 
-#include <stddef.h>
+#include "egesp/lanes.vector.hpp"
 
 namespace animado::egesp {
 namespace {
 
-using Lane = double __attribute__((vector_size(ANIMADO_LANE_BYTES)));
-using Mask = long long __attribute__((vector_size(ANIMADO_LANE_BYTES)));
-using UnalignedLane = double __attribute__((vector_size(ANIMADO_LANE_BYTES), aligned(8), may_alias));
-
-#define ANIMADO_INLINE [[gnu::always_inline]] inline
 #define ANIMADO_UNROLL _Pragma("GCC unroll 16")
 
-constexpr size_t kWidth = ANIMADO_LANE_BYTES / sizeof(double);
 constexpr size_t kRows = kWidth == 8 ? 8 : 4;  // of a tile; with 3 registers a row, all registers are used
 constexpr size_t kVectors = 3;
 constexpr size_t kPanel = 64;  // columns eliminated before the rest is touched: longer ones make the panel,
@@ -30,15 +24,6 @@ constexpr size_t kPanel = 64;  // columns eliminated before the rest is touched:
 constexpr size_t kGroup = kRows * kPanel + 8;  // numbers of a group of rows; groups 4 KiB apart would share
                                                // cache sets
 
-ANIMADO_INLINE Lane load(const double* p) {
-  return *reinterpret_cast<const UnalignedLane*>(p);
-}
-ANIMADO_INLINE void store(double* p, Lane v) {
-  *reinterpret_cast<UnalignedLane*>(p) = v;
-}
-ANIMADO_INLINE Lane absolute(Lane v) {
-  return (Lane)((Mask)v & 0x7fffffffffffffff);
-}
 ANIMADO_INLINE double absolute(double v) {
   return __builtin_fabs(v);
 }
