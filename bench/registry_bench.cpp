@@ -124,10 +124,13 @@ void RegistryWatch(benchmark::State& state) {
       static_cast<double>(state.iterations() * kChanges * state.range(0)), benchmark::Counter::kIsRate);
 }
 
-// What a client notices of another one's thousand changes a second, each told to that many watchers.
+// What a client notices of another one's changes, one for each hundred of its own requests, told to that many
+// watchers.
 void RegistryGetBesideWatchers(benchmark::State& state) {
   Registry registry(Kept::in_memory);
+  constexpr size_t kRequestsAChange = 100;
   std::atomic<bool> over = false;
+  std::atomic<int> changes_due = 0;
   std::thread others([&] {
     std::vector<std::unique_ptr<rpc::SocketSuite>> watchers;
     for (int64_t i = 0; i < state.range(0); ++i) {
@@ -140,7 +143,7 @@ void RegistryGetBesideWatchers(benchmark::State& state) {
     for (int value = 0; !over; ++value) {
       editor.set("body1.mass", std::to_string(value));
       for (auto& watcher : watchers) Client(*watcher).wait_change(change = {}, 0);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      changes_due.wait(value);
     }
   });
   std::vector<double> times_us;
@@ -149,8 +152,14 @@ void RegistryGetBesideWatchers(benchmark::State& state) {
     registry.channel().call<Get>({{"body7.mass"}, {}});
     times_us.push_back(
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+    if (times_us.size() % kRequestsAChange == 0) {
+      ++changes_due;
+      changes_due.notify_one();
+    }
   }
   over = true;
+  ++changes_due;
+  changes_due.notify_one();
   others.join();
   const auto quantile = [&](double part) {
     const auto at =
