@@ -188,8 +188,9 @@ bool Server::serve(Peer& peer) {
 bool Server::receive(Peer& peer) {
   const auto received = peer.connection.receive();
   peer.ending |= received == Connection::Received::closed;
-  if (received == Connection::Received::bytes) last_arrival_ = Clock::now();
-  return received != Connection::Received::nothing;
+  if (received == Connection::Received::nothing) return false;
+  last_arrival_ = Clock::now();
+  return true;
 }
 
 // What was held back because the peer did not read is served as soon as it does: nothing new may come to wake

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "fixture.hpp"
 #include "rpc/json.hpp"
@@ -173,6 +174,15 @@ TEST_F(ServerTest, EachMessageLeavesALine) {
   EXPECT_THAT(log, ::testing::ContainsRegex(
                        time + R"(warning crow 7f3a#3 fail bug=false [0-9.]+ µs refused: fail.bug: no)"));
   EXPECT_THAT(log, HasSubstr("no?such 0.0 µs unknown_method"));
+}
+
+// Each of these ends without a word; the time since the last word is nobody's work.
+TEST_F(ServerTest, IsNotBusyWhileNobodyAsks) {
+  Raw raw(parrot_.socket());
+  raw.hello();
+  for (int i = 0; i < 2000; ++i) connect_to(parrot_.socket());
+  const auto reply = nlohmann::json::parse(raw.ask(R"([0, 9, "statistics", [{}]])")).at(3);
+  EXPECT_LT(reply.at("busy_s").get<double>(), reply.at("up_s").get<double>());
 }
 
 }  // namespace
