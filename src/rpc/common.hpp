@@ -65,7 +65,7 @@ struct Statistics {
       field("message", s.message, "name of the message");
       field("requests", s.requests, "how many came");
       field("errors", s.errors, "how many of them got an error");
-      field("time_s", s.time_s, "that its handler took, all requests together");
+      field("time_s", s.time_s, "that it took to read and to handle them, all together");
     }
   };
   struct Latency {

@@ -111,10 +111,10 @@ const Service::Entry& Dispatcher::entry(std::string_view method) const {
                           fmt::join(known, ", ")));
 }
 
-Dispatcher::Outcome Dispatcher::run(const Service::Entry& entry, const void* request, void* reply,
-                                    Call& call) {
+Dispatcher::Outcome Dispatcher::run(const Service::Entry& entry, const void* request, void* reply, Call& call,
+                                    Clock::time_point begin) {
   Outcome outcome;
-  outcome.begin = Clock::now();
+  outcome.begin = begin;
   try {
     entry.handler(request, reply, call);
   } catch (const Error& error) {

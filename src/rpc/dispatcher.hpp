@@ -60,12 +60,13 @@ class Dispatcher {
   // How a request ended.
   struct Outcome {
     std::optional<Error> error;
-    Clock::time_point begin{}, end{};  // of the handler
+    Clock::time_point begin{}, end{};
   };
 
-  // Calls the handler; whatever it throws becomes an Error. Counting and logging are a step of their own, so
-  // that they happen while the reply is on its way.
-  Outcome run(const Service::Entry& entry, const void* request, void* reply, Call& call);
+  // Calls the handler; whatever it throws becomes an Error. begin: since when the request has been served.
+  // Counting and logging are a step of their own, so that they happen while the reply is on its way.
+  Outcome run(const Service::Entry& entry, const void* request, void* reply, Call& call,
+              Clock::time_point begin);
   // arrival: of the request; its answer is on its way now.
   void record(const MessageCodec& codec, const void* request, const Marks& marks, const Outcome& outcome,
               Clock::time_point arrival);

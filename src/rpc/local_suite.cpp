@@ -45,7 +45,8 @@ void LocalChannel::exchange(const MessageCodec& message, const void* request, vo
   const Marks marks{trace_, ++seq_};
   ServedCall call(kTheConnection, dispatcher_.suite());
   call.set_incoming(std::move(given_));
-  const Dispatcher::Outcome outcome = dispatcher_.run(find(message, marks), request, reply, call);
+  const Dispatcher::Outcome outcome =
+      dispatcher_.run(find(message, marks), request, reply, call, Clock::now());
   dispatcher_.record(message, request, marks, outcome, outcome.begin);
   dispatcher_.was_busy(outcome.end - outcome.begin);
   if (outcome.error) throw Error(*outcome.error);

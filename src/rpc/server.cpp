@@ -14,7 +14,7 @@ namespace {
 // While one peer keeps us busy the others, and those who want to connect, are looked at this often.
 constexpr std::chrono::milliseconds kFullLook{1};
 constexpr std::chrono::milliseconds kLogDelay{50};  // who follows a log does not notice
-constexpr int kLooksAtLast = 8;  // at who spoke last, for one at everybody: it costs as much as some of them
+constexpr int kLooksAtLast = 32;   // at who spoke last, for one at everybody: some ten microseconds
 constexpr size_t kMaxClient = 40;  // characters of a client's name
 constexpr size_t kMaxPeers = 256;  // a run has 10; below the usual limit of 1024 open files
 constexpr size_t kMaxUnsent = size_t{1}
@@ -189,7 +189,7 @@ bool Server::receive(Peer& peer) {
   const auto received = peer.connection.receive();
   peer.ending |= received == Connection::Received::closed;
   if (received == Connection::Received::nothing) return false;
-  last_arrival_ = Clock::now();
+  begin_ = last_arrival_ = Clock::now();
   return true;
 }
 
@@ -254,7 +254,8 @@ void Server::call(Peer& peer, const Envelope& envelope, const Service::Entry& en
   const Value reply = entry.codec->reply.make();
   ServedCall call(peer.id, dispatcher_.suite(), peer.client);
   call.set_incoming(peer.connection.take_descriptor());
-  const Dispatcher::Outcome outcome = dispatcher_.run(entry, request, reply.get(), call);
+  const Dispatcher::Outcome outcome = dispatcher_.run(entry, request, reply.get(), call, begin_);
+  begin_ = outcome.end;
   if (outcome.error) {
     send_error(peer, envelope, *outcome.error);
   } else {

@@ -91,6 +91,7 @@ class Server {
   int looks_ = 0;
   size_t notified_ = 0;  // peers
   Clock::time_point last_full_look_, last_arrival_, last_done_;
+  Clock::time_point begin_;  // of the request that is served: it came, or the one before it was answered
   bool log_timer_runs_ = false;
   Patience patience_;
 };
