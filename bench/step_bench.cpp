@@ -11,12 +11,15 @@
 namespace animado::bench {
 namespace {
 
+constexpr int kWarmUp = 10;  // steps: the first ones touch every page for the first time
+
 void step(benchmark::State& state, rpc::Suite& suite) {
   static int runs = 0;  // shared arrays are named once
   rpc::Log silent;
   controle::Simulation simulation(free_tops_scene(static_cast<size_t>(state.range(0))), suite,
                                   fmt::format("bench/{}", ++runs), silent, [](const auto&) {});
   int steps = 0;
+  while (steps < kWarmUp) simulation.stepper().advance_to(kStep_s * ++steps);
   for (auto _ : state) simulation.stepper().advance_to(kStep_s * ++steps);
 }
 
