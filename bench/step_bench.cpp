@@ -7,6 +7,7 @@
 #include "free_tops.hpp"
 #include "rpc/one_core.hpp"
 #include "services.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace animado::bench {
 namespace {
@@ -23,8 +24,10 @@ void step(benchmark::State& state, rpc::Suite& suite) {
   for (auto _ : state) simulation.stepper().advance_to(kStep_s * ++steps);
 }
 
+// As `animado run --in-process` starts them: with their logs, which the processes write too.
 void StepInProcess(benchmark::State& state) {
-  const auto suite = suite_in_process();
+  const TemporaryDirectory logs;
+  const auto suite = suite_in_process(logs.path());
   step(state, *suite);
 }
 

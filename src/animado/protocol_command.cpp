@@ -24,15 +24,15 @@ void add_protocol_command(CommandLine& line) {
   CLI::App& command = add_command(line, "protocol", "Print docs/protocol.md: all messages of all services",
                                   "  animado protocol > docs/protocol.md\n");
   command.callback([] {
-    fmt::print(
-        "{}{}{}{}{}", rpc::common_pages(),
-        page<interexpserv::Messages, interexpserv::Notifications>(
-            "interexpserv",
-            "Started first, at the one well-known address: who offers what, named values and "
-            "expressions, shared arrays."),
-        page<egesp::Messages>("egesp", "Solves systems of linear equations. It knows no physics."),
-        page<fred::Messages, fred::Notifications>("fred", "Integrates ordinary differential equations. It knows no physics."),
-        page<colisao::Messages>("colisao", "Finds collisions and answers them."));
+    fmt::print("{}{}{}{}{}", rpc::common_pages(),
+               page<interexpserv::Messages, interexpserv::Notifications>(
+                   "interexpserv",
+                   "Started first, at the one well-known address: who offers what, named values and "
+                   "expressions, shared arrays."),
+               page<egesp::Messages>("egesp", "Solves systems of linear equations. It knows no physics."),
+               page<fred::Messages, fred::Notifications>(
+                   "fred", "Integrates ordinary differential equations. It knows no physics."),
+               page<colisao::Messages>("colisao", "Finds collisions and answers them."));
   });
 }
 

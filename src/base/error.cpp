@@ -6,9 +6,9 @@ namespace animado {
 namespace {
 
 constexpr std::array<std::string_view, 18> kNames = {
-    "protocol",     "unknown_method", "bad_params", "bad_shape",     "not_finite",     "singular",
-    "syntax",       "type",           "unknown_name", "cycle",       "conflict",       "unknown_array",
-    "unknown_handle", "limit",        "refused",    "diverged",      "unavailable",    "internal"};
+    "protocol",       "unknown_method", "bad_params",   "bad_shape", "not_finite",  "singular",
+    "syntax",         "type",           "unknown_name", "cycle",     "conflict",    "unknown_array",
+    "unknown_handle", "limit",          "refused",      "diverged",  "unavailable", "internal"};
 
 std::string sentence(const std::string& message, const std::string& where, const std::string& remedy) {
   std::string text = where.empty() ? message : where + ": " + message;
@@ -18,7 +18,9 @@ std::string sentence(const std::string& message, const std::string& where, const
 
 }  // namespace
 
-std::string_view name_of(Code code) { return kNames[static_cast<size_t>(code)]; }
+std::string_view name_of(Code code) {
+  return kNames[static_cast<size_t>(code)];
+}
 
 Code code_named(std::string_view name) {
   for (size_t i = 0; i < kNames.size(); ++i) {

@@ -7,8 +7,8 @@
 
 namespace animado {
 
-// The candidate with the smallest Damerau–Levenshtein (optimal string alignment) distance to `word`, if that is at most a
-// third of the word's length plus one; else empty. The first of equals.
+// The candidate with the smallest Damerau–Levenshtein (optimal string alignment) distance to `word`, if that
+// is at most a third of the word's length plus one; else empty. The first of equals.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace animado

@@ -1,5 +1,5 @@
-// The solids a body can be. Curved ones are exact. Every primitive has its centroid at the origin of the body frame, and its
-// axis, where it has one, along y. Lengths in metres.
+// The solids a body can be. Curved ones are exact. Every primitive has its centroid at the origin of the body
+// frame, and its axis, where it has one, along y. Lengths in metres.
 #pragma once
 
 #include <variant>

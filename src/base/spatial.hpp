@@ -1,4 +1,5 @@
-// Vectors, rotations, poses. SI units; right-handed; quaternions are unit and turn body coordinates into world ones.
+// Vectors, rotations, poses. SI units; right-handed; quaternions are unit and turn body coordinates into
+// world ones.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +12,8 @@ using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
 
 struct Pose {
-  Vec3 position_m = Vec3::Zero();        // origin of the body frame, world
-  Quat orientation = Quat::Identity();   // body → world
+  Vec3 position_m = Vec3::Zero();       // origin of the body frame, world
+  Quat orientation = Quat::Identity();  // body → world
 
   Vec3 to_world(const Vec3& point_body) const { return position_m + orientation * point_body; }
   Vec3 to_body(const Vec3& point_world) const { return orientation.conjugate() * (point_world - position_m); }

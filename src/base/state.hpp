@@ -1,4 +1,5 @@
-// How the state of N bodies lies in memory: 13 rows of N numbers ("lanes"), so that one operation serves many bodies.
+// How the state of N bodies lies in memory: 13 rows of N numbers ("lanes"), so that one operation serves many
+// bodies.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +10,26 @@ namespace animado {
 
 // Rows of the state array, shape (13, N).
 enum StateRow : int {
-  kPx, kPy, kPz,       // origin of the body frame, world, m
-  kQw, kQx, kQy, kQz,  // orientation, body → world, unit quaternion
-  kVx, kVy, kVz,       // velocity of the origin of the body frame, world, m/s
-  kWx, kWy, kWz,       // angular velocity, in BODY axes, rad/s: equation (1) of the paper is written there
+  kPx,
+  kPy,
+  kPz,  // origin of the body frame, world, m
+  kQw,
+  kQx,
+  kQy,
+  kQz,  // orientation, body → world, unit quaternion
+  kVx,
+  kVy,
+  kVz,  // velocity of the origin of the body frame, world, m/s
+  kWx,
+  kWy,
+  kWz,  // angular velocity, in BODY axes, rad/s: equation (1) of the paper is written there
   kStateRows
 };
 
 // One body's view of a state array.
 struct BodyState {
   Pose pose;
-  Vec3 velocity_m_s = Vec3::Zero();               // of the origin of the body frame, world
+  Vec3 velocity_m_s = Vec3::Zero();  // of the origin of the body frame, world
   Vec3 angular_velocity_body_rad_s = Vec3::Zero();
 
   Vec3 angular_velocity_rad_s() const { return pose.orientation * angular_velocity_body_rad_s; }  // world

@@ -1,7 +1,9 @@
-// COLISÃO: finds collisions and answers them. The messages, as the module's manual page. It knows shapes, poses, velocities, masses.
+// COLISÃO: finds collisions and answers them. The messages, as the module's manual page. It knows shapes,
+// poses, velocities, masses.
 //
-// States are arrays of shape (13, bodies), rows as in base/state.hpp: position, quaternion (w, x, y, z), velocity of the frame's
-// origin (world), angular velocity (BODY axes). Wrenches and accelerations are arrays of shape (6, bodies).
+// States are arrays of shape (13, bodies), rows as in base/state.hpp: position, quaternion (w, x, y, z),
+// velocity of the frame's origin (world), angular velocity (BODY axes). Wrenches and accelerations are arrays
+// of shape (6, bodies).
 #pragma once
 
 #include <array>
@@ -20,22 +22,30 @@ constexpr auto names(const ShapeKind*) {
   return std::array{"sphere"sv, "box"sv, "capsule"sv, "cylinder"sv, "cone"sv, "hull"sv, "plane"sv};
 }
 enum class MotionKind { dynamic, fixed, kinematic };
-constexpr auto names(const MotionKind*) { return std::array{"dynamic"sv, "static"sv, "kinematic"sv}; }
+constexpr auto names(const MotionKind*) {
+  return std::array{"dynamic"sv, "static"sv, "kinematic"sv};
+}
 
 enum class Rule { product, min, max, mean };
-constexpr auto names(const Rule*) { return std::array{"product"sv, "min"sv, "max"sv, "mean"sv}; }
+constexpr auto names(const Rule*) {
+  return std::array{"product"sv, "min"sv, "max"sv, "mean"sv};
+}
 
 enum class Response { impulse, system15, spring };
-constexpr auto names(const Response*) { return std::array{"impulse"sv, "system15"sv, "spring"sv}; }
+constexpr auto names(const Response*) {
+  return std::array{"impulse"sv, "system15"sv, "spring"sv};
+}
 
 enum class Meeting { vertex_face, edge_edge, vertex_vertex };
-constexpr auto names(const Meeting*) { return std::array{"vertex_face"sv, "edge_edge"sv, "vertex_vertex"sv}; }
+constexpr auto names(const Meeting*) {
+  return std::array{"vertex_face"sv, "edge_edge"sv, "vertex_vertex"sv};
+}
 
 struct BodyRecord {
   std::string name;
   ShapeKind shape = ShapeKind::sphere;
-  std::vector<double> size_m;       // by shape, see the field
-  std::vector<double> vertices_m;   // hull
+  std::vector<double> size_m;      // by shape, see the field
+  std::vector<double> vertices_m;  // hull
   std::vector<std::vector<int64_t>> faces;
   MotionKind motion = MotionKind::dynamic;
   double mass_kg = 0;
@@ -48,7 +58,8 @@ struct BodyRecord {
     field("name", s.name, "for messages");
     field("shape", s.shape, "sphere, box, capsule, cylinder, cone, hull or plane");
     field("size_m", s.size_m,
-          "sphere: radius; box: half extents x, y, z; capsule, cylinder: radius, half height; cone: radius, height; plane: "
+          "sphere: radius; box: half extents x, y, z; capsule, cylinder: radius, half height; cone: radius, "
+          "height; plane: "
           "normal x, y, z, offset; hull: nothing",
           kDefault);
     field("vertices_m", s.vertices_m, "hull: x, y, z of each vertex, body frame", kDefault);
@@ -56,7 +67,8 @@ struct BodyRecord {
     field("motion", s.motion, "dynamic, static or kinematic (moves as it is told; infinite mass)", kDefault);
     field("mass_kg", s.mass_kg, "of a dynamic body", kDefault);
     field("center_of_mass_m", s.center_of_mass_m, "x, y, z in the body frame", kDefault);
-    field("inertia_kg_m2", s.inertia_kg_m2, "nine elements of the tensor about the centre of mass, body axes", kDefault);
+    field("inertia_kg_m2", s.inertia_kg_m2, "nine elements of the tensor about the centre of mass, body axes",
+          kDefault);
     field("restitution", s.restitution, "0 … 1", kDefault);
     field("friction", s.friction, "Coulomb's coefficient; a pair uses the geometric mean", kDefault);
     field("group", s.group, "its group", kDefault);
@@ -67,7 +79,8 @@ struct BodyRecord {
 struct Prepare {
   static constexpr auto name = "prepare"sv;
   static constexpr auto doc =
-      "Makes the bodies known. The handle is a hash of the request: the same bodies give the same handle on any server, so that a "
+      "Makes the bodies known. The handle is a hash of the request: the same bodies give the same handle on "
+      "any server, so that a "
       "client whose server was restarted (code unknown_handle) prepares again and repeats its request."sv;
   struct Request {
     std::vector<BodyRecord> bodies;
@@ -76,7 +89,8 @@ struct Prepare {
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
       field("bodies", s.bodies, "in the order of the state's columns");
-      field("restitution_rule", s.restitution_rule, "how a pair's restitution is made of its bodies'", kDefault);
+      field("restitution_rule", s.restitution_rule, "how a pair's restitution is made of its bodies'",
+            kDefault);
       field("contact_threshold_m_s", s.contact_threshold_m_s,
             "approach speed under which bodies are in continuous contact and do not bounce", kDefault);
     }
@@ -133,8 +147,10 @@ struct Contacts {
 struct Sweep {
   static constexpr auto name = "sweep"sv;
   static constexpr auto doc =
-      "Finds the first time at which two bodies that were apart meet on the way between two states, on the cubic Hermite "
-      "interpolant of positions and quaternions (the dense output of a step), by conservative advancement and bracketing. Bodies that touch "
+      "Finds the first time at which two bodies that were apart meet on the way between two states, on the "
+      "cubic Hermite "
+      "interpolant of positions and quaternions (the dense output of a step), by conservative advancement "
+      "and bracketing. Bodies that touch "
       "at the start count again once they have parted. Resting pairs are left to advance."sv;
   struct Request {
     std::string handle;
@@ -185,7 +201,8 @@ struct ImpactRecord {
 struct Respond {
   static constexpr auto name = "respond"sv;
   static constexpr auto doc =
-      "Answers the impacts of a state: every contact whose approach is faster than the threshold, together with those that their "
+      "Answers the impacts of a state: every contact whose approach is faster than the threshold, together "
+      "with those that their "
       "impulses make approach (simultaneous impact by generalized reflections). Writes the state after them."sv;
   struct Request {
     std::string handle;
@@ -196,7 +213,8 @@ struct Respond {
     static void fields(Self& s, F&& field) {
       field("handle", s.handle, "from prepare");
       field("state", s.state, "shape (13, bodies), at the time of the impact");
-      field("response", s.response, "impulse (closed form) or system15 (the paper's 15 equations, solved by egesp)", kDefault);
+      field("response", s.response,
+            "impulse (closed form) or system15 (the paper's 15 equations, solved by egesp)", kDefault);
       field("out", s.out, "shared array for the state after; inline reply when missing");
     }
   };
@@ -220,8 +238,10 @@ struct Respond {
 struct Advance {
   static constexpr auto name = "advance"sv;
   static constexpr auto doc =
-      "Moves the islands of bodies in continuous contact through a step: from the same start and the same accelerations as the free "
-      "motion, in sub-steps, with contacts as constraints on the velocities (non-penetration, Coulomb's cone). Bodies that touch "
+      "Moves the islands of bodies in continuous contact through a step: from the same start and the same "
+      "accelerations as the free "
+      "motion, in sub-steps, with contacts as constraints on the velocities (non-penetration, Coulomb's "
+      "cone). Bodies that touch "
       "nothing keep the free result."sv;
   struct Request {
     std::string handle;
@@ -235,11 +255,14 @@ struct Advance {
       field("handle", s.handle, "from prepare");
       field("state", s.state, "at the start, shape (13, bodies)");
       field("accelerations", s.accelerations,
-            "at the start, shape (6, bodies): of the frame's origin (world), angular (body axes), without contact forces");
+            "at the start, shape (6, bodies): of the frame's origin (world), angular (body axes), without "
+            "contact forces");
       field("free", s.free, "state at the end as if nothing touched, shape (13, bodies)");
       field("step_s", s.step_s, "length of the step");
       field("substeps", s.substeps, "sub-steps of the islands", kDefault);
-      field("crowded", s.crowded, "take impacts inside the islands too, at the sub-steps, instead of leaving them to sweep", kDefault);
+      field("crowded", s.crowded,
+            "take impacts inside the islands too, at the sub-steps, instead of leaving them to sweep",
+            kDefault);
       field("out", s.out, "shared array for the state at the end; inline reply when missing");
     }
   };
@@ -269,7 +292,8 @@ struct Advance {
 struct Springs {
   static constexpr auto name = "springs"sv;
   static constexpr auto doc =
-      "Forces of elastic contact, the paper's equation (2): a spring along the normal in proportion to the overlap and a damper in "
+      "Forces of elastic contact, the paper's equation (2): a spring along the normal in proportion to the "
+      "overlap and a damper in "
       "proportion to the approach; Coulomb's friction at most mu times the normal force."sv;
   struct Request {
     std::string handle;

@@ -1,8 +1,9 @@
 // Systems of which the matrices stay and the right-hand sides change: the matrices are factored once, P A Q =
 // L U, and each solve is two substitutions.
 //
-// Factors and not inverses: both take n² multiplications a right-hand side; but A⁻¹ b has a backward error of κ(A) roundings where L and U have one of a few
-// (Higham 2002, section 14.1), and the factors give the bits of `solve_batch`.
+// Factors and not inverses: both take n² multiplications a right-hand side; but A⁻¹ b has a backward error of
+// κ(A) roundings where L and U have one of a few (Higham 2002, section 14.1), and the factors give the bits
+// of `solve_batch`.
 #pragma once
 
 #include <memory>

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
-#include "egesp/echelon.hpp"
 #include "egesp/aligned_memory.hpp"
+#include "egesp/echelon.hpp"
 #include "egesp/prepared.hpp"
 
 namespace animado::egesp {

@@ -50,7 +50,8 @@ struct Solve {
             rpc::kDefault);
       field("layout", s.layout, "systems or lanes", rpc::kDefault);
       field("on_singular", s.on_singular,
-            "error, or report: systems without a solution are listed, their X is NaN, and the others are solved",
+            "error, or report: systems without a solution are listed, their X is NaN, and the others are "
+            "solved",
             rpc::kDefault);
       field("out", s.out, "shared array for X, the shape of right_sides; inline reply when missing");
       field("residual", s.residual, "tell the backward error of each system", rpc::kDefault);
@@ -141,7 +142,7 @@ struct Rank {
   };
 };
 
-using Messages = std::tuple<Solve, Prepare, SolvePrepared, Refactor, Invert, Determinant, Rank, LeastSquares, SparseSolve, SparsePrepare,
-                            SparseRefactor, SparseSolvePrepared, Release>;
+using Messages = std::tuple<Solve, Prepare, SolvePrepared, Refactor, Invert, Determinant, Rank, LeastSquares,
+                            SparseSolve, SparsePrepare, SparseRefactor, SparseSolvePrepared, Release>;
 
 }  // namespace animado::egesp

@@ -16,8 +16,8 @@ PivotRule checked_rule(Pivoting pivoting, double threshold);  // throws bad_para
 
 // What a reply says about the systems that have no solution. Throws singular or not_finite about the first of
 // them unless the request wants them reported. n, count: of the batch.
-std::vector<RefusedSystem> reported(const std::vector<Refusal>& refusals, OnSingular on_singular, size_t count,
-                                    size_t n, const PivotRule& rule);
+std::vector<RefusedSystem> reported(const std::vector<Refusal>& refusals, OnSingular on_singular,
+                                    size_t count, size_t n, const PivotRule& rule);
 
 // Throws not_finite, which names the element.
 void refuse_infinite(std::span<const double> numbers, const char* where);

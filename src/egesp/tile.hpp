@@ -7,7 +7,7 @@
 // none. It costs up to half of the arithmetic's rate where the processor has one.
 //
 // Included only by sources that are compiled once for each instruction set, which is why everything has
-// internal linkage and no standard header is included (see lanes.cpp).
+// internal linkage and no standard header is included (see lanes.vector.hpp).
 #pragma once
 
 #include "egesp/lanes.vector.hpp"

@@ -4,20 +4,9 @@
 
 namespace animado::rpc {
 
-Head Decoder::peek() const {
-  Head head;
-  if (!read_head(at_, end_, head) ||
-      (head.has_body() && head.count > static_cast<size_t>(end_ - at_) - head.size)) {
-    throw Error(Code::protocol, "the message ends in the middle of a value", {},
-                "send whole MessagePack values");
-  }
-  return head;
-}
-
-Head Decoder::next() {
-  const Head head = peek();
-  at_ += head.size;
-  return head;
+void Decoder::refuse_end() {
+  throw Error(Code::protocol, "the message ends in the middle of a value", {},
+              "send whole MessagePack values");
 }
 
 std::string_view Decoder::body(const Head& head) {
@@ -35,6 +24,12 @@ std::string_view Decoder::skip() {
     if (head.kind == Head::Kind::map) missing += 2 * head.count;
   }
   return {begin, static_cast<size_t>(at_ - begin)};
+}
+
+std::string_view Decoder::rest() {
+  const std::string_view bytes(at_, static_cast<size_t>(end_ - at_));
+  at_ = end_;
+  return bytes;
 }
 
 }  // namespace animado::rpc

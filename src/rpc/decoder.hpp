@@ -24,16 +24,30 @@ class Decoder {
       : at_(bytes.data()), end_(bytes.data() + bytes.size()), numbers_(numbers) {}
 
   // The head of the next value, which stays next. Throws Code::protocol at the end of the bytes.
-  Head peek() const;
-  Head next();                         // takes the head; the values or bytes that it announces come next
+  Head peek() const {
+    Head head;
+    if (!read_head(at_, end_, head) ||
+        (head.has_body() && head.count > static_cast<size_t>(end_ - at_) - head.size))
+      refuse_end();
+    return head;
+  }
+  // Takes the head; the values or bytes that it announces come next.
+  Head next() {
+    const Head head = peek();
+    at_ += head.size;
+    return head;
+  }
   std::string_view body(const Head&);  // the bytes that the head of a text, bytes or extension announced
   std::string_view skip();             // takes a whole value, whatever it is: its bytes
+  std::string_view rest();             // takes all that is left
   bool at_end() const { return at_ == end_; }
   bool finite_only() const { return numbers_ == Numbers::finite; }
 
   Marks marks;
 
  private:
+  [[noreturn]] static void refuse_end();
+
   const char *at_, *end_;
   Numbers numbers_;
 };

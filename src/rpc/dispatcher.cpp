@@ -142,7 +142,8 @@ void Dispatcher::refuse(std::string_view method, const Marks& marks, const Error
   count(found ? found->codec->name : kUnknown, true);
   const Type& unread = type_of<Nothing>();
   const Nothing nothing;
-  write_line({method, {}, unread, unread}, &nothing, marks, {error});
+  const Clock::time_point now = Clock::now();
+  write_line({method, {}, unread, unread}, &nothing, marks, {error, now, now});
 }
 
 void Dispatcher::record(const MessageCodec& codec, const void* request, const Marks& marks,
@@ -177,7 +178,7 @@ void Dispatcher::write_line(const MessageCodec& codec, const void* request, cons
   } else {
     line_ += "ok";
   }
-  log_.write(level, line_);
+  log_.write(level, line_, outcome.end);
 }
 
 }  // namespace animado::rpc

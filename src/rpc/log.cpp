@@ -13,6 +13,8 @@
 namespace animado::rpc {
 namespace {
 
+constexpr size_t kMaxCollected = 16 << 10;  // bytes: they stay in the nearest caches
+
 std::string date_text(std::time_t second) {
   std::tm parts{};
   gmtime_r(&second, &parts);
@@ -76,7 +78,9 @@ class LineFormatter final : public spdlog::formatter {
 }  // namespace
 
 Log::Log() = default;
-Log::~Log() = default;
+Log::~Log() {
+  flush();
+}
 
 Log::Log(std::string_view module, const std::filesystem::path& file, LogLevel level) {
   try {
@@ -88,21 +92,39 @@ Log::Log(std::string_view module, const std::filesystem::path& file, LogLevel le
   }
   logger_->set_formatter(std::make_unique<LineFormatter>());
   logger_->set_level(level_of(level));
-  logger_->flush_on(spdlog::level::warn);  // what went wrong is worth a write at once
 }
 
 bool Log::enabled(LogLevel level) const {
   return logger_ && logger_->should_log(level_of(level));
 }
 
-void Log::write(LogLevel level, std::string_view trace_and_text) {
+void Log::write(LogLevel level, std::string_view trace_and_text, Time time) {
   if (!enabled(level)) return;
-  logger_->log(level_of(level), spdlog::string_view_t(trace_and_text.data(), trace_and_text.size()));
+  texts_ += trace_and_text;
+  lines_.push_back({level, time, texts_.size()});
   dirty_ = true;
+  if (level != LogLevel::info) return flush();
+  if (texts_.size() > kMaxCollected) format();
+}
+
+void Log::format() {
+  if (lines_.empty()) return;
+  const auto date = std::chrono::system_clock::now();
+  const auto now = Time::clock::now();
+  const char* text = texts_.data();
+  for (const Line& line : lines_) {
+    const char* end = texts_.data() + line.end;
+    const spdlog::string_view_t shown(text, static_cast<size_t>(end - text));
+    logger_->log(date - (now - line.time), {}, level_of(line.level), shown);
+    text = end;
+  }
+  lines_.clear();
+  texts_.clear();
 }
 
 void Log::flush() {
   if (!dirty_) return;
+  format();
   logger_->flush();
   dirty_ = false;
 }

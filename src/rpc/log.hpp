@@ -1,11 +1,13 @@
-// A module's log: a line a message, `time level module trace message`. Lines are buffered, so that one costs
-// less than a microsecond, and written out a moment later, so that they can be followed.
+// A module's log: a line a message, `time level module trace message`. Lines are collected and written out a
+// moment later, many at once: to write one costs a copy, and still they can be followed.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spdlog {
 class logger;
@@ -17,21 +19,33 @@ enum class LogLevel { info, warning, error, off };
 
 class Log {
  public:
+  using Time = std::chrono::steady_clock::time_point;
+
   Log();  // writes nothing
   // Appends to the file; makes its folder. Throws Code::refused when it cannot be written.
   Log(std::string_view module, const std::filesystem::path& file, LogLevel level = LogLevel::info);
   ~Log();
 
   bool enabled(LogLevel level) const;
-  // The text begins with the trace, the run's id and the call's number, as "7f3a#12 ping …"; or with -.
-  void write(LogLevel level, std::string_view trace_and_text);
+  // The text begins with the trace, the run's id and the call's number, as "7f3a#12 ping …"; or with -. A
+  // warning is in the file when this returns.
+  void write(LogLevel level, std::string_view trace_and_text, Time time = Time::clock::now());
   void info(std::string_view text) { write(LogLevel::info, "- " + std::string(text)); }
   void warn(std::string_view text) { write(LogLevel::warning, "- " + std::string(text)); }
+  void format();                         // what was collected, into the file's buffer
+  void flush();                          // all of it, to the file
   bool dirty() const { return dirty_; }  // there are lines to flush
-  void flush();
 
  private:
+  struct Line {
+    LogLevel level;
+    Time time;
+    size_t end;  // in texts_
+  };
+
   std::unique_ptr<spdlog::logger> logger_;
+  std::vector<Line> lines_;
+  std::string texts_;  // of the lines, one after the other
   bool dirty_ = false;
 };
 

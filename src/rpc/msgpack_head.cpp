@@ -70,34 +70,17 @@ std::string_view name_of(Head::Kind kind) {
   return kNames[static_cast<size_t>(kind)];
 }
 
-bool read_head(const char* at, const char* end, Head& head) {
-  if (at == end) return false;
-  const auto code = static_cast<uint8_t>(*at);
-  if (code < 0x80) {
-    head = {.kind = Kind::integer, .integer = code, .size = 1};
-  } else if (code < 0x90) {
-    head = {.kind = Kind::map, .count = code & 0x0fu, .size = 1};
-  } else if (code < 0xa0) {
-    head = {.kind = Kind::list, .count = code & 0x0fu, .size = 1};
-  } else if (code < 0xc0) {
-    head = {.kind = Kind::text, .count = code & 0x1fu, .size = 1};
-  } else if (code >= 0xe0) {
-    head = {.kind = Kind::integer, .integer = static_cast<int8_t>(code), .size = 1};
-  } else if (code == 0xc0) {
-    head = {.kind = Kind::nil, .size = 1};
-  } else if (code == 0xc2 || code == 0xc3) {
-    head = {.kind = Kind::boolean, .integer = code & 1, .size = 1};
-  } else if (code == 0xc1) {
+bool read_long_head(const char* begin, const char* end, Head& head) {
+  const auto code = static_cast<uint8_t>(*begin);
+  if (code >= 0xc4) return read_coded(kCodings[code - 0xc4u], begin, end, head);
+  if (code == 0xc1)
     throw Error(Code::protocol, "the byte 0xc1 is not MessagePack", {}, "send MessagePack-RPC messages only");
-  } else {
-    return read_coded(kCodings[code - 0xc4u], at, end, head);
-  }
+  head = {.kind = code == 0xc0 ? Kind::nil : Kind::boolean, .integer = code & 1, .size = 1};
   return true;
 }
 
 void Scanner::reset() {
-  position_ = values_ = 0;
-  missing_.clear();
+  position_ = values_ = depth_ = 0;
 }
 
 void Scanner::enter(const Head& head) {
@@ -106,27 +89,27 @@ void Scanner::enter(const Head& head) {
         Code::limit, fmt::format("the message holds more than {} {}", most, what), {},
         "put large data into a shared array (array_create of interexpserv) and name it in the message");
   };
-  const bool container = head.kind == Kind::list || head.kind == Kind::map;
-  const size_t values = head.kind == Kind::map ? 2 * head.count : container ? head.count : 0;
+  const bool container = head.kind == Head::Kind::list || head.kind == Head::Kind::map;
+  const size_t values = head.kind == Head::Kind::map ? 2 * head.count : container ? head.count : 0;
   values_ += values;
   if (values_ > kMaxMessageValues) refuse("values", kMaxMessageValues);
   // Each value to come takes a byte at least.
   if (position_ + head.size + (container ? values : head.count) > kMaxMessageBytes)
     refuse("bytes", kMaxMessageBytes);
-  if (container && missing_.size() == kMaxMessageDepth) refuse("levels", kMaxMessageDepth);
-  if (!missing_.empty()) --missing_.back();
-  if (values > 0) missing_.push_back(values);
+  if (container && depth_ == kMaxMessageDepth) refuse("levels", kMaxMessageDepth);
+  if (depth_ > 0) --missing_[depth_ - 1];
+  if (values > 0) missing_[depth_++] = values;
 }
 
 bool Scanner::scan(const char* begin, const char* end) {
   const auto available = static_cast<size_t>(end - begin);
   Head head;
-  while (position_ == 0 || !missing_.empty()) {
+  while (position_ == 0 || depth_ > 0) {
     // The bytes of a body are skipped before they are there; then the next head is not there either.
     if (position_ >= available || !read_head(begin + position_, end, head)) return false;
     enter(head);
     position_ += head.size + (head.has_body() ? head.count : 0);
-    while (!missing_.empty() && missing_.back() == 0) missing_.pop_back();
+    while (depth_ > 0 && missing_[depth_ - 1] == 0) --depth_;
   }
   return position_ <= available;
 }

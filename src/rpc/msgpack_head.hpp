@@ -2,10 +2,10 @@
 // the bytes that are there.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 namespace animado::rpc {
 
@@ -33,6 +33,28 @@ std::string_view name_of(Head::Kind kind);
 // MessagePack does not use.
 bool read_head(const char* begin, const char* end, Head& head);
 
+// The same for the codes 0xc0 … 0xdf, which name their type and the size of what follows.
+bool read_long_head(const char* begin, const char* end, Head& head);
+
+inline bool read_head(const char* begin, const char* end, Head& head) {
+  if (begin == end) return false;
+  const auto code = static_cast<uint8_t>(*begin);
+  if (code < 0x80) {
+    head = {.kind = Head::Kind::integer, .integer = code, .size = 1};
+  } else if (code < 0x90) {
+    head = {.kind = Head::Kind::map, .count = code & 0x0fu, .size = 1};
+  } else if (code < 0xa0) {
+    head = {.kind = Head::Kind::list, .count = code & 0x0fu, .size = 1};
+  } else if (code < 0xc0) {
+    head = {.kind = Head::Kind::text, .count = code & 0x1fu, .size = 1};
+  } else if (code < 0xe0) {
+    return read_long_head(begin, end, head);
+  } else {
+    head = {.kind = Head::Kind::integer, .integer = static_cast<int8_t>(code), .size = 1};
+  }
+  return true;
+}
+
 // Finds the end of one value in a buffer that grows. Looks at each byte once.
 class Scanner {
  public:
@@ -46,8 +68,8 @@ class Scanner {
  private:
   void enter(const Head& head);
 
-  size_t position_ = 0, values_ = 0;
-  std::vector<size_t> missing_;  // values that each open list or map still waits for
+  size_t position_ = 0, values_ = 0, depth_ = 0;
+  std::array<size_t, kMaxMessageDepth> missing_;  // values that each open list or map still waits for
 };
 
 }  // namespace animado::rpc

@@ -1,8 +1,8 @@
 // Keeps this process, and those that it starts from then on, on one core.
 //
 // The five programs of a run answer each other in turn, never two at once. On one core the numbers that one
-// wrote are in the cache when the next reads them, and to answer is a switch of context; across cores the same
-// step waits for 20 MB of cache lines at 10,000 bodies, and for a sleeping core to wake at each message.
+// wrote are in the cache when the next reads them, and to answer is a switch of context; across cores the
+// same step waits for 20 MB of cache lines at 10,000 bodies, and for a sleeping core to wake at each message.
 #pragma once
 
 #include <sched.h>

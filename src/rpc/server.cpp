@@ -179,6 +179,8 @@ bool Server::serve(Peer& peer) {
   if (!peer.ending)
     serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
   if (!received) return false;
+  // Where the peer has a core of its own, it does not wait for this.
+  if (patience_.pays()) dispatcher_.log().format();
   last_ = &peer;
   last_done_ = Clock::now();
   dispatcher_.was_busy(last_done_ - last_arrival_);

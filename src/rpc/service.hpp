@@ -77,8 +77,8 @@ class Service {
   // Sends a notification to one connection. False when it is gone or full.
   bool notify(ConnectionId connection, const MessageCodec& message, const void* request) const;
 
-  // Whether a connection is still there, for a handler that takes long; sends on what it was notified of. Set by a
-  // server, empty in this process.
+  // Whether a connection is still there, for a handler that takes long; sends on what it was notified of. Set
+  // by a server, empty in this process.
   std::function<bool(ConnectionId)> is_connected;
 
  private:

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -76,7 +77,8 @@ std::string SocketChannel::call_json(std::string_view method, std::string_view p
 std::string_view SocketChannel::transact(std::string_view method, std::string_view params) {
   const UniqueFd given = std::move(given_);
   std::string_view result;
-  repeat(method, [&] { result = attempt(method, params, given.get()); });
+  const auto once = [&] { result = attempt(method, params, given.get()); };
+  repeat(method, std::ref(once));  // a reference fits into a std::function without memory of its own
   return result;
 }
 

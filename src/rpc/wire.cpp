@@ -34,7 +34,7 @@ std::string_view read_params(Decoder& in) {
   const Head list = expect(in, Head::Kind::list, "params");
   if (list.count == 0) return kNoFields;
   if (list.count > 1) refuse("params holds more than one value");
-  return in.skip();
+  return in.rest();
 }
 
 void read_parts(Decoder& in, Envelope& envelope) {
@@ -52,7 +52,7 @@ void read_parts(Decoder& in, Envelope& envelope) {
     } else {
       in.next();
     }
-    envelope.body = in.skip();
+    envelope.body = in.rest();
   } else {
     envelope.method = in.body(expect(in, Head::Kind::text, "the method"));
     envelope.body = read_params(in);

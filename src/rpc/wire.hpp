@@ -19,8 +19,8 @@ struct Envelope {
   std::string_view error;  // packed; empty when the reply is not an error
 };
 
-// Reads a message. Throws Code::protocol when it is not MessagePack-RPC; the id is set as soon as it is
-// known.
+// Reads a message: one whole value, as Scanner found it. Throws Code::protocol when it is not
+// MessagePack-RPC; the id is set as soon as it is known.
 void read_envelope(std::string_view message, Envelope& envelope);
 
 // The id of a request of which only the beginning has come; 0 when it is not known yet.

@@ -189,7 +189,8 @@ TEST(Advance, OverlapIsRemovedWithoutSpeed) {
   world.run(0.5, kStep_s, 2);
   EXPECT_NEAR(world[1].pose.position_m.y(), 0.5, 1e-6);
   EXPECT_LT(world[1].velocity_m_s.norm(), 1e-9);
-  EXPECT_NEAR(world.dissipated_J, -2 * kG * (world[1].pose.position_m.y() - 0.48), 1e-12);  // the lift is booked
+  EXPECT_NEAR(world.dissipated_J, -2 * kG * (world[1].pose.position_m.y() - 0.48),
+              1e-12);  // the lift is booked
 }
 
 TEST(Advance, KinematicFloorLiftsAndReturnsTheBody) {  // the work of the floor is no dissipation

@@ -43,6 +43,8 @@ TEST(Edits, AnEditedForceStandsForAllItsLines) {
   EXPECT_EQ(edited(spring(), "wind.speed", "3").names.size(), 2u);
 }
 
-TEST(Edits, AMassCannotChangeWhileTheRunGoes) { EXPECT_THROW(edited(spring(), "ball.mass", "3"), Error); }
+TEST(Edits, AMassCannotChangeWhileTheRunGoes) {
+  EXPECT_THROW(edited(spring(), "ball.mass", "3"), Error);
+}
 
 }  // namespace animado::controle

@@ -49,7 +49,8 @@ time
   const Quat before = placed(scene, t - h).pose.orientation, after = placed(scene, t + h).pose.orientation;
   const Eigen::AngleAxisd turn(after * before.conjugate());
   const Vec3 expected = turn.angle() / (2 * h) * turn.axis();
-  EXPECT_LT((placed(scene, t).angular_velocity_rad_s() - expected).norm(), 1e-8);  // the difference's own error: h² and rounding/h
+  EXPECT_LT((placed(scene, t).angular_velocity_rad_s() - expected).norm(),
+            1e-8);  // the difference's own error: h² and rounding/h
 }
 
 }  // namespace animado::controle

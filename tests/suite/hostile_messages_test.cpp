@@ -191,15 +191,18 @@ TEST_F(HostileNumbers, EgespRefusesThem) {
 
 TEST_F(HostileNumbers, FredRefusesThem) {
   const Json from = Json::array({{{"name", "x"}, {"value", 1}}});
-  expect_error(call("fred", "integrate", {{"equations", {"x' = -x"}}, {"from", from}, {"t1", 1}, {"method", "rk5"}}),
-               "unknown_name", "method");
+  expect_error(
+      call("fred", "integrate", {{"equations", {"x' = -x"}}, {"from", from}, {"t1", 1}, {"method", "rk5"}}),
+      "unknown_name", "method");
   expect_error(call("fred", "integrate", {{"equations", {"x' = -x +"}}, {"from", from}, {"t1", 1}}), "syntax",
                "expression");
-  expect_error(call("fred", "integrate", {{"equations", {"x' = -y"}}, {"from", from}, {"t1", 1}}), "unknown_name",
-               "name");
-  expect_error(call("fred", "integrate",
-                    {{"equations", {"x' = -x"}}, {"from", Json::array({{{"name", "x"}, {"value", kNan}}})}, {"t1", 1}}),
-               "not_finite", "NaN");
+  expect_error(call("fred", "integrate", {{"equations", {"x' = -y"}}, {"from", from}, {"t1", 1}}),
+               "unknown_name", "name");
+  expect_error(
+      call(
+          "fred", "integrate",
+          {{"equations", {"x' = -x"}}, {"from", Json::array({{{"name", "x"}, {"value", kNan}}})}, {"t1", 1}}),
+      "not_finite", "NaN");
   expect_error(
       call("fred", "stage", {{"stage", 9}, {"step", 0.1}, {"state", {1, 2}}, {"derivatives", {{1, 2}}}}),
       "bad_params", "stage 9");

@@ -50,7 +50,8 @@ TEST(Examples, TheRegistryFromPython) {
   EXPECT_EQ(outcome.out,
             "changed spring.k 6.0 version 1\n"
             "changed spring.k 12.0 version 2\n"
-            "conflict: `spring.k` has version 2, last changed by registry.py; 1 was expected (get it, and decide again)\n");
+            "conflict: `spring.k` has version 2, last changed by registry.py; 1 was expected (get it, and "
+            "decide again)\n");
 }
 
 TEST(Examples, TheRegistryFromTheShell) {

@@ -67,11 +67,11 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
   try {
     file.write(text);
     file.close();
-    if (!in_place) std::filesystem::rename(written, path);
-  } catch (const std::filesystem::filesystem_error& error) {
-    std::filesystem::remove(written, unknown);
-    throw Error(Code::unavailable, error.code().message(), path.string(), "write to another folder");
-  } catch (...) {
+    if (in_place) return;
+    std::error_code failed;
+    std::filesystem::rename(written, path, failed);
+    if (failed) throw Error(Code::unavailable, failed.message(), path.string(), "write to another folder");
+  } catch (const Error&) {
     if (!in_place) std::filesystem::remove(written, unknown);
     throw;
   }

@@ -18,7 +18,8 @@ struct Place {  // in the scene's file, both from 1; line 0: a default, not from
   int line = 0, column = 0;
 };
 
-// Where each property was given, by its canonical name ("center of mass"); "object": where the object was opened.
+// Where each property was given, by its canonical name ("center of mass"); "object": where the object was
+// opened.
 using Places = std::map<std::string, Place, std::less<>>;
 
 struct Expression {
