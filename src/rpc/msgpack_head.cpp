@@ -10,10 +10,26 @@
 namespace animado::rpc {
 namespace {
 
-uint64_t big_endian(const char* at, size_t bytes) {
+template <class Integer>
+uint64_t big_endian(const char* at) {
   uint64_t value = 0;
-  for (size_t i = 0; i < bytes; ++i) value = value << 8 | static_cast<uint8_t>(at[i]);
+  for (size_t i = 0; i < sizeof(Integer); ++i) value = value << 8 | static_cast<uint8_t>(at[i]);
   return value;
+}
+
+uint64_t big_endian(const char* at, size_t bytes) {
+  switch (bytes) {
+    case 1:
+      return static_cast<uint8_t>(*at);
+    case 2:
+      return big_endian<uint16_t>(at);
+    case 4:
+      return big_endian<uint32_t>(at);
+    case 8:
+      return big_endian<uint64_t>(at);
+    default:
+      return 0;  // nothing follows
+  }
 }
 
 // How the types beyond the small ones are coded: bytes 0xc4 … 0xdf of the MessagePack specification.
@@ -43,7 +59,7 @@ constexpr std::array<Coding, 28> kCodings = {{
 bool read_coded(const Coding& coding, const char* at, const char* end, Head& head) {
   if (static_cast<size_t>(end - at) < 1u + coding.bytes) return false;
   uint64_t raw = big_endian(at + 1, coding.bytes);
-  head = {.kind = coding.kind, .size = 1u + coding.bytes};
+  head = {.kind = coding.kind, .size = static_cast<uint8_t>(1 + coding.bytes)};
   if (coding.kind == Kind::number) {
     head.number = coding.bytes == 4 ? static_cast<double>(std::bit_cast<float>(static_cast<uint32_t>(raw)))
                                     : std::bit_cast<double>(raw);
@@ -59,6 +75,11 @@ bool read_coded(const Coding& coding, const char* at, const char* end, Head& hea
     head.count = static_cast<size_t>(raw) + coding.extra + coding.fixed_body;
   }
   return true;
+}
+
+[[noreturn]] void refuse_beyond(size_t most, std::string_view what) {
+  throw Error(Code::limit, fmt::format("the message holds more than {} {}", most, what), {},
+              "put large data into a shared array (array_create of interexpserv) and name it in the message");
 }
 
 }  // namespace
@@ -81,35 +102,45 @@ bool read_long_head(const char* begin, const char* end, Head& head) {
 
 void Scanner::reset() {
   position_ = values_ = depth_ = 0;
+  missing_ = 1;
 }
 
+// Steps into a list or map, or over the head of a body.
 void Scanner::enter(const Head& head) {
-  const auto refuse = [](const char* what, size_t most) {
-    throw Error(
-        Code::limit, fmt::format("the message holds more than {} {}", most, what), {},
-        "put large data into a shared array (array_create of interexpserv) and name it in the message");
-  };
-  const bool container = head.kind == Head::Kind::list || head.kind == Head::Kind::map;
-  const size_t values = head.kind == Head::Kind::map ? 2 * head.count : container ? head.count : 0;
+  if (head.has_body()) {
+    position_ += head.count;
+    if (position_ > kMaxMessageBytes) refuse_beyond(kMaxMessageBytes, "bytes");
+    return;
+  }
+  const size_t values = head.kind == Head::Kind::map ? 2 * head.count : head.count;
   values_ += values;
-  if (values_ > kMaxMessageValues) refuse("values", kMaxMessageValues);
+  if (values_ > kMaxMessageValues) refuse_beyond(kMaxMessageValues, "values");
   // Each value to come takes a byte at least.
-  if (position_ + head.size + (container ? values : head.count) > kMaxMessageBytes)
-    refuse("bytes", kMaxMessageBytes);
-  if (container && depth_ == kMaxMessageDepth) refuse("levels", kMaxMessageDepth);
-  if (depth_ > 0) --missing_[depth_ - 1];
-  if (values > 0) missing_[depth_++] = values;
+  if (position_ + values > kMaxMessageBytes) refuse_beyond(kMaxMessageBytes, "bytes");
+  if (depth_ == kMaxMessageDepth) refuse_beyond(kMaxMessageDepth, "levels");
+  outer_[depth_++] = missing_;
+  missing_ = values;
 }
 
 bool Scanner::scan(const char* begin, const char* end) {
   const auto available = static_cast<size_t>(end - begin);
-  Head head;
-  while (position_ == 0 || depth_ > 0) {
+  while (missing_ > 0) {
     // The bytes of a body are skipped before they are there; then the next head is not there either.
-    if (position_ >= available || !read_head(begin + position_, end, head)) return false;
-    enter(head);
-    position_ += head.size + (head.has_body() ? head.count : 0);
-    while (depth_ > 0 && missing_[depth_ - 1] == 0) --depth_;
+    if (position_ >= available) return false;
+    const auto code = static_cast<uint8_t>(begin[position_]);
+    const bool small = code < 0x80 || code >= 0xe0;
+    const bool short_text = code >= 0xa0 && code < 0xc0;
+    if (small || short_text) {  // most values, and nothing to check
+      position_ += small ? 1 : 1 + (code & 0x1fu);
+      --missing_;
+    } else {
+      Head head;
+      if (!read_head(begin + position_, end, head)) return false;
+      position_ += head.size;
+      --missing_;
+      if (head.count > 0) enter(head);
+    }
+    while (missing_ == 0 && depth_ > 0) missing_ = outer_[--depth_];
   }
   return position_ <= available;
 }

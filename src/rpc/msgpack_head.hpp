@@ -17,12 +17,12 @@ inline constexpr size_t kMaxMessageValues =
 inline constexpr size_t kMaxMessageDepth = 32;  // protocols nest 6 deep
 
 struct Head {
-  enum class Kind { nil, boolean, integer, large, number, text, bytes, list, map, extension };
+  enum class Kind : uint8_t { nil, boolean, integer, large, number, text, bytes, list, map, extension };
   Kind kind = Kind::nil;  // large: an integer beyond int64
   int64_t integer = 0;    // boolean, integer
   double number = 0;
   size_t count = 0;  // text, bytes, extension: bytes that follow; list: values; map: pairs
-  size_t size = 0;   // of the head itself
+  uint8_t size = 0;  // of the head itself
 
   bool has_body() const { return kind == Kind::text || kind == Kind::bytes || kind == Kind::extension; }
 };
@@ -68,8 +68,10 @@ class Scanner {
  private:
   void enter(const Head& head);
 
-  size_t position_ = 0, values_ = 0, depth_ = 0;
-  std::array<size_t, kMaxMessageDepth> missing_;  // values that each open list or map still waits for
+  size_t position_ = 0, values_ = 0;
+  size_t missing_ = 1;  // values that the innermost open list or map, or the whole, still waits for
+  size_t depth_ = 0;    // of open lists and maps
+  std::array<size_t, kMaxMessageDepth> outer_;  // what is missing in those around it
 };
 
 }  // namespace animado::rpc

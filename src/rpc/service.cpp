@@ -12,8 +12,10 @@
 namespace animado::rpc {
 
 const Service::Entry* Service::find(std::string_view method) const {
+  if (last_found_ != nullptr && last_found_->codec->name == method) return last_found_;
   const auto found = entries_.find(method);
-  return found == entries_.end() ? nullptr : &found->second;
+  if (found == entries_.end()) return nullptr;
+  return last_found_ = &found->second;
 }
 
 void Service::add(const MessageCodec& codec, Handler handler) {

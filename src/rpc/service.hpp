@@ -45,6 +45,8 @@ class Service {
   };
 
   explicit Service(std::string name) : name_(std::move(name)) {}
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
   const std::string& name() const { return name_; }
 
   // Adds a row. `handler` is callable as Reply(const Request&, Call&) or Reply(const Request&).
@@ -85,6 +87,7 @@ class Service {
   void add(const MessageCodec& codec, Handler handler);
   std::string name_;
   std::map<std::string, Entry, std::less<>> entries_;
+  mutable const Entry* last_found_ = nullptr;  // what was asked for is likely to be asked for again
 };
 
 // A whole notification, to be posted.

@@ -23,9 +23,13 @@ struct ErrorMap {
               "send [0, id, method, [params]] with params a map");
 }
 
+[[noreturn]] void refuse_kind(std::string_view what, Head::Kind found) {
+  refuse(fmt::format("{} is {}", what, name_of(found)));
+}
+
 Head expect(Decoder& in, Head::Kind kind, std::string_view what) {
   const Head head = in.next();
-  if (head.kind != kind) refuse(fmt::format("{} is {}", what, name_of(head.kind)));
+  if (head.kind != kind) refuse_kind(what, head.kind);
   return head;
 }
 
