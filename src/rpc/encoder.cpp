@@ -22,15 +22,7 @@ void packed(std::string& out, F write) {
 
 }  // namespace
 
-void Encoder::nil() {
-  packed(out_, [](auto& p) { p.pack_nil(); });
-}
-
-void Encoder::boolean(bool value) {
-  packed(out_, [&](auto& p) { value ? p.pack_true() : p.pack_false(); });
-}
-
-void Encoder::integer(int64_t value) {
+void Encoder::long_integer(int64_t value) {
   packed(out_, [&](auto& p) { p.pack_int64(value); });
 }
 
@@ -42,18 +34,15 @@ void Encoder::number(double value) {
   out_.append(bytes, sizeof bytes);
 }
 
-void Encoder::text(std::string_view value) {
-  packed(out_, [&](auto& p) {
-    p.pack_str(static_cast<uint32_t>(value.size()));
-    p.pack_str_body(value.data(), static_cast<uint32_t>(value.size()));
-  });
+void Encoder::long_text_head(size_t bytes) {
+  packed(out_, [&](auto& p) { p.pack_str(static_cast<uint32_t>(bytes)); });
 }
 
-void Encoder::list(size_t count) {
+void Encoder::long_list(size_t count) {
   packed(out_, [&](auto& p) { p.pack_array(static_cast<uint32_t>(count)); });
 }
 
-void Encoder::map(size_t count) {
+void Encoder::long_map(size_t count) {
   packed(out_, [&](auto& p) { p.pack_map(static_cast<uint32_t>(count)); });
 }
 
@@ -63,10 +52,6 @@ void Encoder::numbers(std::span<const double> values) {
     p.pack_bin(static_cast<uint32_t>(bytes.size()));
     p.pack_bin_body(reinterpret_cast<const char*>(bytes.data()), static_cast<uint32_t>(bytes.size()));
   });
-}
-
-void Encoder::raw(std::string_view packed_value) {
-  out_.append(packed_value);
 }
 
 }  // namespace animado::rpc

@@ -71,6 +71,7 @@ std::vector<int64_t> read_shape(Decoder& in, const Path& path) {
   if (list.count > kMaxDimensions)
     refuse_shape(path, fmt::format("{} extents, more than {}", list.count, kMaxDimensions));
   std::vector<int64_t> shape;
+  shape.reserve(list.count);
   int64_t elements = 1;
   for (size_t i = 0; i < list.count; ++i) {
     const int64_t extent = read(in, Kind::integer, "an integer", {&path, {}, i}).integer;
