@@ -45,8 +45,7 @@ class Service {
   };
 
   explicit Service(std::string name) : name_(std::move(name)) {}
-  Service(const Service&) = delete;
-  Service& operator=(const Service&) = delete;
+  Service(Service&&) = default;
   const std::string& name() const { return name_; }
 
   // Adds a row. `handler` is callable as Reply(const Request&, Call&) or Reply(const Request&).
