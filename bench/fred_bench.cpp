@@ -132,28 +132,41 @@ const typename P::State& reference() {
 template <class P>
 using Solver = typename P::State (*)(const P&, double tolerance);
 
-// The grid is a quarter of a decade wide.
-template <class P>
-void work_precision(benchmark::State& state, Solver<P> solve, double wanted) {
-  const P problem;
+// The largest tolerance that reaches an error; the grid is a quarter of a decade wide.
+struct Setting {
   double tolerance = 1e-3, error = 1;
-  for (; tolerance > 1e-15; tolerance *= std::pow(10, -0.25)) {
+  int64_t evaluations = 0;
+};
+
+template <class P>
+Setting find_setting(Solver<P> solve, double wanted) {
+  Setting setting;
+  for (;; setting.tolerance *= std::pow(10, -0.25)) {
     evaluations = 0;
-    error = largest_difference(solve(problem, tolerance), reference<P>());
-    if (error <= wanted) break;
+    setting.error = largest_difference(solve(P(), setting.tolerance), reference<P>());
+    setting.evaluations = evaluations;
+    if (setting.error <= wanted || setting.tolerance < 1e-15) return setting;
   }
-  if (error > wanted) return state.SkipWithError("does not reach this error");
-  state.counters["error"] = error;
-  state.counters["evaluations"] = static_cast<double>(evaluations);
-  for (auto _ : state) benchmark::DoNotOptimize(solve(problem, tolerance));
+}
+
+template <class P>
+void work_precision(benchmark::State& state, Solver<P> solve, const Setting& setting, double wanted) {
+  if (setting.error > wanted) return state.SkipWithError("does not reach this error");
+  state.counters["error"] = setting.error;
+  state.counters["evaluations"] = static_cast<double>(setting.evaluations);
+  const P problem;
+  for (auto _ : state) benchmark::DoNotOptimize(solve(problem, setting.tolerance));
 }
 
 template <class P>
 void add(const char* solver, Solver<P> solve) {
   for (const double wanted : {1e-6, 1e-10}) {
     const std::string name = fmt::format("WorkPrecision/{}/{:.0e}/{}", P::kName, wanted, solver);
+    // Looked for once, not at each repetition.
+    auto setting = std::make_shared<std::optional<Setting>>();
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& s) {
-      work_precision<P>(s, solve, wanted);
+      if (!*setting) *setting = find_setting<P>(solve, wanted);
+      work_precision<P>(s, solve, **setting, wanted);
     })->Unit(benchmark::kMicrosecond);
   }
 }

@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  for (const char* names_a_file : {"script", "hull", "mesh", "table"}) {
+  for (const char* names_a_file : {"script", "roteiro", "hull", "casco", "table"}) {
     if (text.find(names_a_file) != text.npos) return 0;
   }
   try {

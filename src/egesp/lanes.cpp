@@ -53,8 +53,6 @@ template <bool kComplete>
 void solve_size(const LaneBatch& batch) {
   if (batch.n == 6 && batch.m == 1) {
     solve_blocks<kComplete, 6, 1>(batch);
-  } else if (batch.n == 15 && batch.m == 1 && !kComplete) {
-    solve_blocks<false, 15, 1>(batch);
   } else {
     solve_blocks<kComplete, 0, 0>(batch);
   }

@@ -77,9 +77,9 @@ ANIMADO_INLINE Lane largest_of(const Lane* size, int k, int n) {
   if constexpr (N > 0) {
     Lane tree[N];
     each<N>(k, n, [&](int i) { tree[i] = size[i]; });
-#pragma GCC unroll 16
+#pragma GCC unroll 8
     for (int step = 1; step < n - k; step *= 2) {
-#pragma GCC unroll 16
+#pragma GCC unroll 8
       for (int i = k; i + step < n; i += 2 * step) tree[i] = larger(tree[i], tree[i + step]);
     }
     return tree[k];
@@ -166,7 +166,7 @@ ANIMADO_INLINE void sweep_partial(Block<N, M>& block, const Source& source) {
   each<N>(0, n, [&](int k) {
     const Choice<N>& choice = choices[k % 2];
     if constexpr (kKeep) {
-      each_column<N>(0, k, [&](int j) { change_rows<N>(choice, k, n, block.column(j)); });
+      each<N>(0, k, [&](int j) { change_rows<N>(choice, k, n, block.column(j)); });
       change_rows<N>(choice, k, n, block.row_order);
     }
     const auto next = [&](int j) {
@@ -177,7 +177,7 @@ ANIMADO_INLINE void sweep_partial(Block<N, M>& block, const Source& source) {
     };
     if (k + 1 < columns) next(k + 1);
     if (k + 1 < n) find_pivot(block, k + 1, choices[(k + 1) % 2]);
-    each_column<N>(k + 2, columns, next);
+    each<N>(k + 2, columns, next);
   });
 }
 template <int N, int M>
@@ -190,23 +190,23 @@ ANIMADO_INLINE void sweep_complete(Block<N, M>& block, const Source& source) {
     each<N>(k, n,
             [&](int i) { row_size[i] = j == k ? absolute(a[i]) : larger(absolute(a[i]), row_size[i]); });
   };
-  each_column<N>(0, columns, [&](int j) {
+  each<N>(0, columns, [&](int j) {
     load_column(block, source, j);
     if (j < n) measure(0, j);
   });
   each<N>(0, n, [&](int k) {
     const Lane largest = largest_of<N>(row_size, k, n), reciprocal = 1.0 / largest;
     choose<N>(row_size, k, n, largest, choice);
-    each_column<N>(0, columns, [&](int j) { change_rows<N>(choice, k, n, block.column(j)); });
+    each<N>(0, columns, [&](int j) { change_rows<N>(choice, k, n, block.column(j)); });
     change_rows<N>(choice, k, n, block.row_order);
-    each_column<N>(k, n, [&](int j) { size[j] = absolute(block.column(j)[k]); });
+    each<N>(k, n, [&](int j) { size[j] = absolute(block.column(j)[k]); });
     choose<N>(size, k, n, largest, choice);
-    each_column<N>(0, n, [&](int i) {
+    each<N>(0, n, [&](int i) {
       change_places<N>(choice, k, n, [&](int j) -> Lane& { return block.column(j)[i]; });
     });
     change_rows<N>(choice, k, n, block.column_order);
     divide(block, k, largest, reciprocal);
-    each_column<N>(k + 1, columns, [&](int j) {
+    each<N>(k + 1, columns, [&](int j) {
       subtract(block, k, block.column(j));
       if (j < n) measure(k + 1, j);
     });

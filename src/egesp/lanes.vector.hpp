@@ -86,21 +86,16 @@ ANIMADO_INLINE Lane exchanged(Mask here, Lane row, Lane old, Lane& top) {
 }
 #endif
 
-// f(begin) … f(end − 1). Over rows: unrolled where the size N is known when compiling. Over columns: only
-// where N is small, so that the code of a kernel stays in the instruction cache.
+// f(begin) … f(end − 1), unrolled where the size N is known when compiling: it is small, so that the code of
+// a kernel stays in the instruction cache.
 template <int N, class F>
 ANIMADO_INLINE void each(int begin, int end, const F& f) {
   if constexpr (N > 0) {
-#pragma GCC unroll 16
+#pragma GCC unroll 8
     for (int i = begin; i < end; ++i) f(i);
   } else {
     for (int i = begin; i < end; ++i) f(i);
   }
-}
-
-template <int N, class F>
-ANIMADO_INLINE void each_column(int begin, int end, const F& f) {
-  each<(N <= 8 ? N : 0)>(begin, end, f);
 }
 
 }  // namespace
