@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "base/fold.hpp"
 #include "base/nearest_name.hpp"
@@ -80,7 +79,8 @@ std::string folded_prefix(std::string_view written) {
 // --- requests
 
 void Names::add_definitions(std::span<const NamedText> definitions, Edits& edits) const {
-  for (const auto& [written, text] : definitions | std::views::transform(as_stored)) {
+  for (const NamedText& definition : definitions) {
+    const auto [written, text] = as_stored(definition);
     const std::string name = checked(written);
     const Entry* known = find(name);
     if (known && known->now.kind == Revision::Kind::binding) {
