@@ -10,26 +10,10 @@
 namespace animado::rpc {
 namespace {
 
-template <class Integer>
-uint64_t big_endian(const char* at) {
-  uint64_t value = 0;
-  for (size_t i = 0; i < sizeof(Integer); ++i) value = value << 8 | static_cast<uint8_t>(at[i]);
-  return value;
-}
-
 uint64_t big_endian(const char* at, size_t bytes) {
-  switch (bytes) {
-    case 1:
-      return static_cast<uint8_t>(*at);
-    case 2:
-      return big_endian<uint16_t>(at);
-    case 4:
-      return big_endian<uint32_t>(at);
-    case 8:
-      return big_endian<uint64_t>(at);
-    default:
-      return 0;  // nothing follows
-  }
+  uint64_t value = 0;
+  for (size_t i = 0; i < bytes; ++i) value = value << 8 | static_cast<uint8_t>(at[i]);
+  return value;
 }
 
 // How the types beyond the small ones are coded: bytes 0xc4 … 0xdf of the MessagePack specification.
@@ -109,10 +93,9 @@ void Scanner::reset() {
 void Scanner::enter(const Head& head) {
   if (head.has_body()) {
     position_ += head.count;
-    if (position_ > kMaxMessageBytes) refuse_beyond(kMaxMessageBytes, "bytes");
     return;
   }
-  const size_t values = head.kind == Head::Kind::map ? 2 * head.count : head.count;
+  const size_t values = head.kind == Kind::map ? 2 * head.count : head.count;
   values_ += values;
   if (values_ > kMaxMessageValues) refuse_beyond(kMaxMessageValues, "values");
   // Each value to come takes a byte at least.
@@ -140,6 +123,7 @@ bool Scanner::scan(const char* begin, const char* end) {
       --missing_;
       if (head.count > 0) enter(head);
     }
+    if (position_ > kMaxMessageBytes) refuse_beyond(kMaxMessageBytes, "bytes");
     while (missing_ == 0 && depth_ > 0) missing_ = outer_[--depth_];
   }
   return position_ <= available;

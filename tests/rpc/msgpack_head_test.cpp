@@ -75,6 +75,17 @@ TEST(Scanner, ValuesAndDepthAreLimited) {
   EXPECT_EQ(error_of([&] { other.scan(many.data(), many.data() + many.size()); }).code(), Code::limit);
 }
 
+TEST(Scanner, ManySmallValuesMayNotHoldMoreBytesThanOneLarge) {
+  constexpr size_t kTexts = kMaxMessageBytes / 32 + 1;  // of 32 bytes with their heads
+  static_assert(kTexts < kMaxMessageValues);
+  std::string bytes = "\xdd";
+  for (int shift : {24, 16, 8, 0}) bytes += static_cast<char>(kTexts >> shift);
+  const std::string text = '\xbf' + std::string(31, 's');
+  for (size_t i = 0; i < kTexts; ++i) bytes += text;
+  Scanner scanner;
+  EXPECT_EQ(error_of([&] { scanner.scan(bytes.data(), bytes.data() + bytes.size()); }).code(), Code::limit);
+}
+
 TEST(Scanner, TheUnusedByteIsNotMessagePack) {
   Scanner scanner;
   const char byte = '\xc1';
