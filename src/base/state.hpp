@@ -8,23 +8,12 @@
 
 namespace animado {
 
-// Rows of the state array, shape (13, N).
-enum StateRow : int {
-  kPx,
-  kPy,
-  kPz,  // origin of the body frame, world, m
-  kQw,
-  kQx,
-  kQy,
-  kQz,  // orientation, body → world, unit quaternion
-  kVx,
-  kVy,
-  kVz,  // velocity of the origin of the body frame, world, m/s
-  kWx,
-  kWy,
-  kWz,  // angular velocity, in BODY axes, rad/s: equation (1) of the paper is written there
-  kStateRows
-};
+// Rows of the state array, shape (13, N):
+//   p  origin of the body frame, world, m
+//   q  orientation, body → world, unit quaternion
+//   v  velocity of the origin of the body frame, world, m/s
+//   w  angular velocity, in BODY axes, rad/s: equation (1) of the paper is written there
+enum StateRow : int { kPx, kPy, kPz, kQw, kQx, kQy, kQz, kVx, kVy, kVz, kWx, kWy, kWz, kStateRows };
 
 // One body's view of a state array.
 struct BodyState {
