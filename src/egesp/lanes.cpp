@@ -1,17 +1,13 @@
 // The kernels of one instruction set. This file is compiled once for each, with the name of its entry and the
 // width of a register given by the build.
 #include "egesp/lanes.hpp"
-#include "egesp/lanes.elimination.hpp"
+#include "egesp/lanes.looped.hpp"
 #include "egesp/lanes.substitution.hpp"
+#include "egesp/lanes.unrolled.hpp"
 #include "egesp/lanes.vector.hpp"
 
 namespace animado::egesp {
 namespace {
-
-template <int N, int M>
-ANIMADO_INLINE void number_order(Block<N, M>& block) {
-  for (int k = 0; k < block.n(); ++k) block.row_order[k] = block.column_order[k] = Lane{} + k;
-}
 
 template <bool kComplete, int N, int M>
 ANIMADO_INLINE void store_solutions(Block<N, M>& block, const LaneBatch& batch, size_t first) {
@@ -32,29 +28,66 @@ ANIMADO_INLINE void store_solutions(Block<N, M>& block, const LaneBatch& batch, 
   });
 }
 
+// With the downward sweep done for the systems from `first` on.
 template <bool kComplete, int N, int M>
-void solve_blocks(const LaneBatch& batch) {
-  Block<N, M> block(batch.n, batch.m);
+ANIMADO_INLINE void finish(Block<N, M>& block, const LaneBatch& batch, size_t first) {
+  const Lane sum = sweep_upward(block);
+  store_solutions<kComplete>(block, batch, first);
+  store(batch.solved + first, block.accepted(batch.tolerance) & (absolute(sum) <= kLargest));
+}
+
+Source source(const LaneBatch& batch, size_t first) {
+  return {batch.matrices + first, batch.right_sides + first, batch.stride};
+}
+
+template <bool kComplete, int N, int M>
+void solve_unrolled(const LaneBatch& batch) {
+  Block<N, M> block(N, M);
   for (size_t first = 0; first < batch.count; first += kWidth) {
-    const Source source{batch.matrices + first, batch.right_sides + first, batch.stride};
     if constexpr (kComplete) {
       number_order(block);
-      sweep_complete(block, source);
+      sweep_complete(block, source(batch, first));
     } else {
-      sweep_partial<false>(block, source);
+      sweep_partial(block, source(batch, first));
     }
-    const Lane sum = sweep_upward(block);
-    store_solutions<kComplete>(block, batch, first);
-    store(batch.solved + first, block.accepted(batch.tolerance) & (absolute(sum) <= kLargest));
+    finish<kComplete>(block, batch, first);
+  }
+}
+
+template <bool kComplete>
+void solve_looped(const LaneBatch& batch) {
+  Block<0, 0> block(batch.n, batch.m);
+  LoopedSweep<false> sweep(block);
+  for (size_t first = 0; first < batch.count; first += kWidth) {
+    if (first % Fetch::kAhead == 0) sweep.fetch(batch.matrices + first + Fetch::kAhead, batch.stride);
+    const Lane largest = sweep.load(source(batch, first));
+    if constexpr (kComplete) {
+      number_order(block);
+      sweep.complete();
+    } else {
+      sweep.partial(largest);
+    }
+    finish<kComplete>(block, batch, first);
   }
 }
 
 template <bool kComplete>
 void solve_size(const LaneBatch& batch) {
-  if (batch.n == 6 && batch.m == 1) {
-    solve_blocks<kComplete, 6, 1>(batch);
-  } else {
-    solve_blocks<kComplete, 0, 0>(batch);
+  switch (batch.m == 1 ? batch.n : 0) {
+    case 1:
+      return solve_unrolled<kComplete, 1, 1>(batch);
+    case 2:
+      return solve_unrolled<kComplete, 2, 1>(batch);
+    case 3:
+      return solve_unrolled<kComplete, 3, 1>(batch);
+    case 4:
+      return solve_unrolled<kComplete, 4, 1>(batch);
+    case 5:
+      return solve_unrolled<kComplete, 5, 1>(batch);
+    case 6:
+      return solve_unrolled<kComplete, 6, 1>(batch);
+    default:
+      return solve_looped<kComplete>(batch);
   }
 }
 
@@ -65,10 +98,11 @@ void solve(const LaneBatch& batch) {
 void factor(const LaneFactoring& group) {
   const int n = group.n;
   Block<0, 0> block(n, 0);
+  LoopedSweep<true> sweep(block);
   for (size_t first = 0; first < kLaneGroup; first += kWidth) {
-    const Source source{group.matrices + first, nullptr, group.stride};
+    const Lane largest = sweep.load({group.matrices + first, nullptr, group.stride});
     number_order(block);
-    group.complete ? sweep_complete(block, source) : sweep_partial<true>(block, source);
+    group.complete ? sweep.complete() : sweep.partial(largest);
     const auto put = [&](double* numbers, int e, Lane v) {
       store(numbers + static_cast<size_t>(e) * kLaneGroup + first, v);
     };
@@ -77,7 +111,9 @@ void factor(const LaneFactoring& group) {
       put(group.order, k, block.row_order[k]);
       put(group.order, n + k, block.column_order[k]);
     }
-    for (int e = 0; e < n * n; ++e) put(group.factors, e, block.a[e]);
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) put(group.factors, j * n + i, block.column(j)[i]);
+    }
     store(group.solved + first, block.accepted(group.tolerance));
   }
 }

@@ -46,45 +46,52 @@ ANIMADO_INLINE bool finite(Lane v) {
   return all != 0;
 }
 
-// equal: hidden from the compiler, which would make branches (SSE2), blends of three steps (AVX2), or moves
-// between two kinds of registers (AVX-512) of a mask that it sees through.
+// Hidden from the compiler, which would make branches (SSE2), blends of three steps (AVX2), or moves between
+// two kinds of registers (AVX-512) of a mask that it sees through.
 ANIMADO_INLINE Mask equal(Lane u, Lane v) {
   Mask mask = u == v;
   asm("" : "+v"(mask));
   return mask;
 }
 
-// exchanged: what `row` becomes when it changes places, in the lanes of `here`, with the row that held `old`.
-// `top` is what stands there, `old` at first: a lane changes places with one row at most.
-#if ANIMADO_LANE_BYTES == 64
 ANIMADO_INLINE Lane larger(Lane u, Lane v) {
+#if ANIMADO_LANE_BYTES == 64
   return __builtin_ia32_maxpd512_mask(u, v, v, 0xff, 4);
+#else
+  return u > v ? u : v;
+#endif
 }
-ANIMADO_INLINE bool any(Mask mask) {
-  return __builtin_ia32_cvtq2mask512(mask) != 0;
-}
+
+// What `row` becomes when it changes places, in the lanes of `here`, with the row that held `old`. `top` is
+// what stands there, `old` at first: a lane changes places with one row at most.
 ANIMADO_INLINE Lane exchanged(Mask here, Lane row, Lane old, Lane& top) {
+#if ANIMADO_LANE_BYTES == 64
   constexpr int kSecondWhereThird = 0xD8;  // truth table of (third ? second : first)
   top = (Lane)__builtin_ia32_pternlogq512_mask((Mask)top, (Mask)row, here, kSecondWhereThird, 0xff);
   return (Lane)__builtin_ia32_pternlogq512_mask((Mask)row, (Mask)old, here, kSecondWhereThird, 0xff);
-}
 #else
-ANIMADO_INLINE Lane larger(Lane u, Lane v) {
-  return u > v ? u : v;
-}
-ANIMADO_INLINE bool any(Mask mask) {
-#if ANIMADO_LANE_BYTES == 32
-  return __builtin_ia32_movmskpd256((Lane)mask) != 0;
-#else
-  return __builtin_ia32_movmskpd((Lane)mask) != 0;
-#endif
-}
-ANIMADO_INLINE Lane exchanged(Mask here, Lane row, Lane old, Lane& top) {
   const Mask difference = ((Mask)row ^ (Mask)old) & here;
   top = (Lane)((Mask)top ^ difference);
   return (Lane)((Mask)row ^ difference);
-}
 #endif
+}
+
+// One number from, or to, a place of its own in each lane.
+using Places = ptrdiff_t[kWidth];
+ANIMADO_INLINE Lane gather(const double* numbers, const Places& at) {
+#if ANIMADO_LANE_BYTES == 64
+  return Lane{numbers[at[0]], numbers[at[1]], numbers[at[2]], numbers[at[3]],
+              numbers[at[4]], numbers[at[5]], numbers[at[6]], numbers[at[7]]};
+#elif ANIMADO_LANE_BYTES == 32
+  return Lane{numbers[at[0]], numbers[at[1]], numbers[at[2]], numbers[at[3]]};
+#else
+  return Lane{numbers[at[0]], numbers[at[1]]};
+#endif
+}
+ANIMADO_INLINE void scatter(Lane v, double* numbers, const Places& at) {
+#pragma GCC unroll 8
+  for (size_t lane = 0; lane < kWidth; ++lane) numbers[at[lane]] = v[lane];
+}
 
 // f(begin) … f(end − 1), unrolled where the size N is known when compiling: it is small, so that the code of
 // a kernel stays in the instruction cache.

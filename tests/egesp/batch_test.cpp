@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(, EveryInstructionSet,
 // register.
 TEST_P(EveryInstructionSet, GivesTheBitsOfGaussJordan) {
   Uniform uniform;
-  for (size_t n : {1, 2, 3, 6, 7, 8, 15, 16, 32, 33}) {
+  for (size_t n : {1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 31, 32, 33}) {
     for (size_t m : {1, 4}) {
       for (bool interleaved : {false, true}) {
         Systems systems(77, n, m, interleaved, uniform);
@@ -82,7 +82,7 @@ TEST_P(EveryInstructionSet, GivesTheBitsOfGaussJordan) {
 // The first of equals, row by row: partial pivoting takes its row, complete pivoting its row and its column.
 TEST_P(EveryInstructionSet, TiesGoToTheFirst) {
   Uniform uniform;
-  for (size_t n : {3, 6, 15}) {
+  for (size_t n : {2, 3, 6, 7, 15, 32}) {
     Systems systems(16, n, 1, true, uniform);
     for (double& v : systems.a) v = v < -0.2 ? -1 : v > 0.2 ? 1 : 0.5;  // many elements of the same magnitude
     systems.solve(instructions(), rule());
