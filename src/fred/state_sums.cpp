@@ -28,10 +28,8 @@ Sum sum_of(std::span<const double> coefficients) {
 }
 
 std::vector<const double*> rows_of(std::span<const double> derivatives, size_t size) {
-  std::vector<const double*> rows;
-  for (size_t at = 0; at + size <= derivatives.size() && size > 0; at += size) {
-    rows.push_back(derivatives.data() + at);
-  }
+  std::vector<const double*> rows(size == 0 ? 0 : derivatives.size() / size);
+  for (size_t j = 0; j < rows.size(); ++j) rows[j] = derivatives.data() + j * size;
   return rows;
 }
 
