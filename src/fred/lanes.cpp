@@ -1,5 +1,5 @@
 // The kernels of lanes.hpp: the same operations in the same order for each element, so the same bits, whether
-// the machine takes one, two, four or eight at a time.
+// the machine takes one, two or four at a time.
 //
 // The number of terms is known when compiling: coefficients stay in registers, and each derivative is read
 // once. No standard header is included: an inline function compiled here for AVX2 must not become the copy
@@ -103,10 +103,11 @@ void square_error(const double* y, const double* y_end, const double* const* k, 
                   const ErrorScale& scale, double (*running)[kRunningSums], size_t begin, size_t end) {
   const Terms<kTerms> terms(k, estimates[0]);
   RunningSums first = sums_from(running[0]);
-  for_each_lane(begin, end, [&] [[gnu::always_inline]] (size_t e, size_t i) {
-    const Lane error = terms(e) * (1 / unit(y, y_end, scale, e));
-    first.sums[i] += error * error;
-  });
+  for_each_lane(
+      begin, end, [&](size_t e, size_t i) __attribute__((always_inline)) {
+        const Lane error = terms(e) * (1 / unit(y, y_end, scale, e));
+        first.sums[i] += error * error;
+      });
   put_sums(running[0], first);
 }
 
@@ -115,12 +116,13 @@ void square_two_errors(const double* y, const double* y_end, const double* const
                        const ErrorScale& scale, double (*running)[kRunningSums], size_t begin, size_t end) {
   const Terms<kTerms> terms(k, estimates[0]), others(k, estimates[1]);
   RunningSums first = sums_from(running[0]), second = sums_from(running[1]);
-  for_each_lane(begin, end, [&] [[gnu::always_inline]] (size_t e, size_t i) {
-    const Lane inverse = 1 / unit(y, y_end, scale, e);
-    const Lane error = terms(e) * inverse, other = others(e) * inverse;
-    first.sums[i] += error * error;
-    second.sums[i] += other * other;
-  });
+  for_each_lane(
+      begin, end, [&](size_t e, size_t i) __attribute__((always_inline)) {
+        const Lane inverse = 1 / unit(y, y_end, scale, e);
+        const Lane error = terms(e) * inverse, other = others(e) * inverse;
+        first.sums[i] += error * error;
+        second.sums[i] += other * other;
+      });
   put_sums(running[0], first);
   put_sums(running[1], second);
 }
