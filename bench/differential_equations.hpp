@@ -16,6 +16,7 @@ struct Arenstorf {
   using State = std::array<double, 4>;
   static constexpr auto kName = "Arenstorf";
   static constexpr double kEnd = 17.0652165601579625588917206249;
+  static constexpr double kTightError = 1e-8;
 
   static State start() { return {0.994, 0, 0, -2.00158510637908252240537862224}; }
 
@@ -37,6 +38,7 @@ struct Pleiades {
   using State = std::array<double, 28>;
   static constexpr auto kName = "Pleiades";
   static constexpr double kEnd = 3;
+  static constexpr double kTightError = 1e-10;
 
   static State start() {
     return {3, 3, -1, -3, 2, -2,   2,    3, -3, 2, 0,     0, -4, 4,
@@ -44,10 +46,9 @@ struct Pleiades {
   }
 
   void operator()(const double* y, double* rate) const {
+    // Sums of its own, so that no store could be one to y.
     const double *px = y, *py = y + 7;
-    double *ax = rate + 14, *ay = rate + 21;
-    for (size_t i = 0; i < 14; ++i) rate[i] = y[14 + i];
-    for (size_t i = 0; i < 14; ++i) rate[14 + i] = 0;
+    double ax[7] = {}, ay[7] = {};
     for (size_t i = 0; i < 7; ++i) {
       for (size_t j = i + 1; j < 7; ++j) {
         const double dx = px[j] - px[i], dy = py[j] - py[i], square = dx * dx + dy * dy;
@@ -59,6 +60,8 @@ struct Pleiades {
         ay[j] -= of_i * dy;
       }
     }
+    for (size_t i = 0; i < 14; ++i) rate[i] = y[14 + i];
+    for (size_t i = 0; i < 7; ++i) rate[14 + i] = ax[i], rate[21 + i] = ay[i];
   }
 };
 
@@ -69,6 +72,7 @@ struct Tops {
   using State = std::vector<double>;
   static constexpr auto kName = "FreeTops";
   static constexpr double kEnd = 10;
+  static constexpr double kTightError = 1e-10;
   static constexpr size_t kCount = 1000;
 
   static State start() {
@@ -84,7 +88,7 @@ struct Tops {
 
   Tops() : inertia_(top_inertia_kg_m2()) {}
 
-  void operator()(const double* y, double* rate) const {
+  __attribute__((target_clones("avx512f", "default"))) void operator()(const double* y, double* rate) const {
     constexpr size_t kNext = kLanes ? kCount : 1, kTop = kLanes ? 1 : 7;
     const double a = (inertia_.y() - inertia_.z()) / inertia_.x(),
                  b = (inertia_.z() - inertia_.x()) / inertia_.y(),

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
-#include "fred/lanes.hpp"
+#include "fred/powers.hpp"
 
 namespace animado::fred {
 namespace {
@@ -16,6 +17,8 @@ constexpr double kMostGrowth = 8;  // an error that happens to vanish says nothi
 // more of them elsewhere; Hairer's codes use 0.04 · 5.
 constexpr double kMemory = 0.2;
 constexpr double kLeastError = 1e-4;  // kept of a step that was far too good
+
+constexpr double kTinyError = 1e-10, kHugeError = 1e30;  // what lies beyond is not told apart
 
 double norm(std::span<const double> v, std::span<const double> y, const Tolerance& tolerance) {
   double sum = 0;
@@ -31,30 +34,32 @@ double norm(std::span<const double> v, std::span<const double> y, const Toleranc
 Tolerance::Tolerance(std::vector<double> absolute_of, std::vector<double> relative_of, size_t size)
     : absolute(std::move(absolute_of)), relative(std::move(relative_of)) {
   if (absolute.size() == 1 && relative.size() == 1) return;
-  const size_t padded = (size + kLaneGroup - 1) / kLaneGroup * kLaneGroup;
   for (auto* values : {&absolute, &relative}) {
     assert(values->size() == 1 || values->size() == size);
-    values->resize(padded, values->size() == 1 ? values->front() : 1.0);
+    values->resize(size, values->size() == 1 ? values->front() : 1.0);
   }
 }
 
 StepControl::StepControl(int error_order) : order_(error_order + 1) {}
 
+// The two rules are compared as logarithms, so that nothing but the acceptance is a branch that depends on
+// the error: in a small system a branch that was guessed wrongly costs as much as an evaluation.
 bool StepControl::accept(double error, double tried) {
+  const double now = log2_near(std::clamp(error, kTinyError, kHugeError));
   if (!(error <= 1)) {
-    const double factor = std::isfinite(error) ? kSafety * std::pow(error, -1 / order_) : kMostShrinking;
+    const double factor = std::isfinite(error) ? kSafety * exp2_near(-now / order_) : 0;
     memory_.step = tried * std::max(kMostShrinking, factor);
     memory_.refused = true;
     return false;
   }
-  const double beta = kMemory / order_;
-  // error^(0.75 β − 1/order) times the last error^β: by logarithms, which cost half as much as two powers.
-  const double factor = kSafety * std::exp((0.75 * beta - 1 / order_) * std::log(std::max(error, 1e-10)) +
-                                           beta * std::log(memory_.error));
+  const double last = log2_near(memory_.error), beta = kMemory / order_;
+  const double proportional = beta * last - (1 / order_ - 0.75 * beta) * now;
+  const double trend = memory_.taken == 0 ? std::numeric_limits<double>::infinity()
+                                          : log2_near(tried / memory_.taken) + last / order_;
+  const double growth = std::min(proportional, trend - 2 / order_ * now);
   const double most = memory_.refused ? 1 : kMostGrowth;  // what was refused just now would be refused again
-  memory_.step = tried * std::clamp(factor, kMostShrinking, most);
-  memory_.error = std::max(error, kLeastError);
-  memory_.refused = false;
+  const double factor = kSafety * exp2_near(growth);
+  memory_ = {tried * std::clamp(factor, kMostShrinking, most), std::max(error, kLeastError), tried, false};
   return true;
 }
 
@@ -73,7 +78,7 @@ double first_step(const Derivative& derivative, double t, std::span<const double
 
   const double largest = std::max(slope, curvature);
   const double by_order =
-      largest <= 1e-15 ? std::max(1e-6, trial * 1e-3) : std::pow(0.01 / largest, 1.0 / order);
+      largest <= 1e-15 ? std::max(1e-6, trial * 1e-3) : exp2_near(log2_near(0.01 / largest) / order);
   const double chosen = std::min({100 * trial, by_order, most});
   return std::copysign(std::isfinite(chosen) && chosen > 0 ? chosen : trial, towards);
 }

@@ -10,7 +10,7 @@ namespace animado::fred {
 
 // The error of element i is measured in units of absolute_i + relative_i max(|y_i| before, after).
 struct Tolerance {
-  std::vector<double> absolute, relative;  // one of all elements, or one of each, padded to whole lanes
+  std::vector<double> absolute, relative;  // one of all elements, or one of each
 
   // absolute > 0, relative ≥ 0; each one number, or one of each of `size` elements.
   Tolerance(std::vector<double> absolute_of, std::vector<double> relative_of, size_t size);
@@ -21,13 +21,16 @@ struct Tolerance {
   }
 };
 
-// Chooses the next step from the errors of the last two: PI control of Gustafsson, in the form of Hairer,
-// Nørsett, Wanner, Solving ODE I (1993), II.4, and II (1996), IV.2.
+// Chooses the next step from the errors of the last two, the shorter of what two rules allow: PI control of
+// Gustafsson, in the form of Hairer, Nørsett, Wanner, Solving ODE I (1993), II.4, and II (1996), IV.2; and
+// his prediction that the error's constant goes on to grow as it did over the last step (the same, IV.8.25),
+// which sees a close approach coming, where nearly every refused try is spared.
 class StepControl {
  public:
   struct Memory {          // what a checkpoint keeps
     double step = 0;       // the next one, signed
     double error = 1e-4;   // of the last step that was accepted
+    double taken = 0;      // its length; 0 where there was none: nothing is predicted
     bool refused = false;  // the last try was refused
   };
 

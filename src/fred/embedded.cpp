@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fred/stage.hpp"
+#include "fred/state_sums.hpp"
 
 namespace animado::fred {
 
@@ -21,8 +22,15 @@ DenseWeights dense_weights(const Tableau& method, double theta) {
   return weights;
 }
 
+std::vector<Sum> error_sums(const Tableau& method) {
+  std::vector<Sum> sums;
+  for (const auto& weights : method.errors) sums.push_back(sum_of(weights));
+  assert(sums.size() < 2 || std::ranges::equal(sums[0].rows, sums[1].rows));
+  return sums;
+}
+
 double error_of(std::span<const double> squares, double step, size_t n) {
-  const double h = std::abs(step), count = static_cast<double>(n);
+  const double h = std::abs(step), count = static_cast<double>(static_cast<int64_t>(n));
   if (squares.size() == 1) return h * std::sqrt(squares[0] / count);
   const double both = squares[0] + 0.01 * squares[1];
   return both == 0 ? 0 : h * squares[0] / std::sqrt(count * both);
@@ -31,19 +39,10 @@ double error_of(std::span<const double> squares, double step, size_t n) {
 double step_error(const Tableau& method, std::span<const double> state, std::span<const double> end,
                   std::span<const double> derivatives, double step, const Tolerance& tolerance) {
   assert(method.is_adaptive() && state.size() == end.size());
-  const size_t read = method.stages() + (method.error_reads_end() ? 1 : 0);
-  const std::vector<double> zeros(state.size());
-  std::vector<double> error(state.size()), squares;
-  for (const auto& weights : method.errors) {
-    combine(zeros, derivatives, std::span(weights).first(read), 1, error);
-    double sum = 0;
-    for (size_t i = 0; i < state.size(); ++i) {
-      const double scaled = error[i] / tolerance.scale(i, std::max(std::abs(state[i]), std::abs(end[i])));
-      sum += scaled * scaled;
-    }
-    squares.push_back(sum);
-  }
-  return error_of(squares, step, state.size());
+  const auto squares = StateSums(state.size())
+                           .square_errors(state.data(), end.data(), rows_of(derivatives, state.size()).data(),
+                                          error_sums(method), tolerance);
+  return error_of(std::span(squares).first(method.errors.size()), step, state.size());
 }
 
 void dense_output(const Tableau& method, std::span<const double> state, std::span<const double> end,

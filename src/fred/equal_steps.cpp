@@ -28,8 +28,7 @@ Stepper::Outcome EqualSteps<Core>::step(double end) {
   const bool last = past > -0.01 * std::abs(times_.step);
   const double h = last ? end - from_ : times_.step;
   const bool converged = core_.attempt(from_, last && whole_ ? times_.step : h);
-  const auto finite = [](double v) { return std::isfinite(v); };
-  if (!converged || !std::ranges::all_of(core_.end(), finite)) {
+  if (!converged || !core_.end_is_finite()) {
     --times_.done;
     return converged ? Outcome::not_finite : Outcome::step_too_small;
   }

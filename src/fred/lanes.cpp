@@ -1,5 +1,5 @@
-// The kernels of lanes.hpp, four elements a turn: the same operations in the same order for each element, so
-// the same bits, whether the machine takes them two or four at a time.
+// The kernels of lanes.hpp: the same operations in the same order for each element, so the same bits, whether
+// the machine takes one, two or four at a time.
 //
 // The number of terms is known when compiling: coefficients stay in registers, and each derivative is read
 // once. No standard header is included: an inline function compiled here for AVX2 must not become the copy
@@ -9,30 +9,46 @@
 namespace animado::fred {
 namespace {
 
-using Lane = double __attribute__((vector_size(8 * kLaneGroup)));
-using UnalignedLane = double __attribute__((vector_size(8 * kLaneGroup), aligned(8), may_alias));
-using Mask = long long __attribute__((vector_size(8 * kLaneGroup)));
+constexpr size_t kWidth = ANIMADO_LANE_BYTES / sizeof(double);
+
+#if ANIMADO_LANE_BYTES == 8
+using Lane = double;
+using UnalignedLane = double;
+#else
+using Lane = double __attribute__((vector_size(ANIMADO_LANE_BYTES)));
+using UnalignedLane = double __attribute__((vector_size(ANIMADO_LANE_BYTES), aligned(8), may_alias));
+#endif
 
 #define ANIMADO_INLINE [[gnu::always_inline]] inline
 
-ANIMADO_INLINE const Lane& at(const double* p, size_t element) {
-  return *reinterpret_cast<const Lane*>(p + element);
+ANIMADO_INLINE Lane at(const double* p, size_t element) {
+  return *reinterpret_cast<const UnalignedLane*>(p + element);
+}
+
+ANIMADO_INLINE void put(double* p, size_t element, Lane lane) {
+  *reinterpret_cast<UnalignedLane*>(p + element) = lane;
 }
 
 // A tolerance of each element, or one of all.
 ANIMADO_INLINE Lane spread(const double* p, size_t element, size_t stride) {
-  return stride ? *reinterpret_cast<const UnalignedLane*>(p + element) : Lane{} + *p;
+  return stride ? at(p, element) : Lane{} + *p;
 }
 
 ANIMADO_INLINE Lane larger_magnitude(Lane u, Lane v) {
-  const Mask magnitude = Mask{} + 0x7fffffffffffffff;
-  const Lane a = (Lane)((Mask)u & magnitude), b = (Lane)((Mask)v & magnitude);
+  const Lane a = u < 0 ? -u : u, b = v < 0 ? -v : v;
   return a > b ? a : b;
+}
+
+ANIMADO_INLINE Lane unit(const double* y, const double* y_end, const ErrorScale& scale, size_t element) {
+  const Lane absolute = spread(scale.absolute, element, scale.stride);
+  const Lane relative = spread(scale.relative, element, scale.stride);
+  return absolute + relative * larger_magnitude(at(y, element), at(y_end, element));
 }
 
 template <int kTerms>
 struct Terms {
   const double* k[kTerms];
+
   double coefficients[kTerms];
 
   ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum) {
@@ -51,25 +67,74 @@ struct Terms {
 };
 
 template <int kTerms>
-void combine(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t size) {
+void combine(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t begin,
+             size_t end) {
   const Terms<kTerms> terms(k, sum);
-  for (size_t e = 0; e < size; e += kLaneGroup) {
-    *reinterpret_cast<Lane*>(out + e) = at(y, e) + h * terms(e);
+  for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + h * terms(e));
+}
+
+// Calls add(element, which of the running sums it joins), as many elements a turn as there are sums.
+template <class F>
+ANIMADO_INLINE void for_each_lane(size_t begin, size_t end, const F& add) {
+  for (size_t e = begin; e < end; e += kRunningSums) {
+#pragma GCC unroll 4
+    for (size_t i = 0; i < kRunningSums; i += kWidth) {
+      if (e + i < end) add(e + i, i / kWidth);
+    }
   }
 }
 
+struct RunningSums {
+  Lane sums[kRunningSums / kWidth];
+};
+
+ANIMADO_INLINE RunningSums sums_from(const double* memory) {
+  RunningSums running;
+  for (size_t i = 0; i < kRunningSums; i += kWidth) running.sums[i / kWidth] = at(memory, i);
+  return running;
+}
+
+ANIMADO_INLINE void put_sums(double* memory, const RunningSums& running) {
+  for (size_t i = 0; i < kRunningSums; i += kWidth) put(memory, i, running.sums[i / kWidth]);
+}
+
 template <int kTerms>
-double square_error(const double* y, const double* end, const double* const* k, const Sum& sum,
-                    const ErrorScale& scale, size_t size) {
-  const Terms<kTerms> terms(k, sum);
-  Lane total = {};
-  for (size_t e = 0; e < size; e += kLaneGroup) {
-    const Lane absolute = spread(scale.absolute, e, scale.stride);
-    const Lane relative = spread(scale.relative, e, scale.stride);
-    const Lane error = terms(e) / (absolute + relative * larger_magnitude(at(y, e), at(end, e)));
-    total += error * error;
-  }
-  return (total[0] + total[1]) + (total[2] + total[3]);
+void square_error(const double* y, const double* y_end, const double* const* k, const Sum* estimates,
+                  const ErrorScale& scale, double (*running)[kRunningSums], size_t begin, size_t end) {
+  const Terms<kTerms> terms(k, estimates[0]);
+  RunningSums first = sums_from(running[0]);
+  for_each_lane(
+      begin, end, [&](size_t e, size_t i) __attribute__((always_inline)) {
+        const Lane error = terms(e) * (1 / unit(y, y_end, scale, e));
+        first.sums[i] += error * error;
+      });
+  put_sums(running[0], first);
+}
+
+template <int kTerms>
+void square_two_errors(const double* y, const double* y_end, const double* const* k, const Sum* estimates,
+                       const ErrorScale& scale, double (*running)[kRunningSums], size_t begin, size_t end) {
+  const Terms<kTerms> terms(k, estimates[0]), others(k, estimates[1]);
+  RunningSums first = sums_from(running[0]), second = sums_from(running[1]);
+  for_each_lane(
+      begin, end, [&](size_t e, size_t i) __attribute__((always_inline)) {
+        const Lane inverse = 1 / unit(y, y_end, scale, e);
+        const Lane error = terms(e) * inverse, other = others(e) * inverse;
+        first.sums[i] += error * error;
+        second.sums[i] += other * other;
+      });
+  put_sums(running[0], first);
+  put_sums(running[1], second);
+}
+
+bool are_finite(const double* v, size_t begin, size_t end) {
+  Lane probe = {};  // 0 · v is 0, or NaN for what is not finite
+  for (size_t e = begin; e < end; e += kWidth) probe += 0 * at(v, e);
+  double lanes[kWidth];
+  put(lanes, 0, probe);
+  double total = 0;
+  for (size_t i = 0; i < kWidth; ++i) total += lanes[i];
+  return total == 0;
 }
 
 }  // namespace
@@ -80,7 +145,10 @@ double square_error(const double* y, const double* end, const double* const* k, 
         kernel<9>, kernel<10>, kernel<11>, kernel<12>, kernel<13>, kernel<14>, kernel<15>, kernel<16> \
   }
 
-const LaneKernels ANIMADO_LANE_KERNELS = {ANIMADO_OF_EACH_COUNT(combine),
-                                          ANIMADO_OF_EACH_COUNT(square_error)};
+const LaneKernels ANIMADO_LANE_KERNELS = {
+    kWidth,
+    ANIMADO_OF_EACH_COUNT(combine),
+    {{}, ANIMADO_OF_EACH_COUNT(square_error), ANIMADO_OF_EACH_COUNT(square_two_errors)},
+    are_finite};
 
 }  // namespace animado::fred

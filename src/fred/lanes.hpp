@@ -1,13 +1,15 @@
 // The sums of a Runge–Kutta step, several elements of the state at once. Plain types only, because lanes.cpp
 // is compiled once for each instruction set and may share no inline function with the rest of the program.
+// Choose the kernels through StateSums.
 #pragma once
 
 #include <stddef.h>
 
 namespace animado::fred {
 
-inline constexpr size_t kLaneGroup = 4;  // numbers come in multiples of it, at addresses of 32 bytes
-inline constexpr int kMostTerms = 16;    // of a sum
+inline constexpr int kMostTerms = 16;     // of a sum
+inline constexpr int kMostEstimates = 2;  // of the error of one step
+inline constexpr size_t kRunningSums = 4;
 
 // Σ_j coefficients[j] k[rows[j]], taken in the order of j, each operation rounded.
 struct Sum {
@@ -23,17 +25,23 @@ struct ErrorScale {
   size_t stride;
 };
 
-// One kernel for each number of terms, so that the loop over them is unrolled; [0] is not used.
+// One kernel for each number of terms, so that the loop over them is unrolled; [0] is not used. Each works on
+// the elements from `begin` to `end`, a multiple of `width` in number, at any address.
 struct LaneKernels {
+  size_t width;
   // out = y + h sum. `out` is apart from what is read.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
-                                  double* out, size_t size);
-  // Σ_i (sum_i / scale_i)², in the order of four running sums, whatever the width of a register. Elements
-  // beyond those in use have derivatives 0.
-  double (*square_error[kMostTerms + 1])(const double* y, const double* end, const double* const* k,
-                                         const Sum& sum, const ErrorScale& scale, size_t size);
+                                  double* out, size_t begin, size_t end);
+  // Of each estimate, running[i mod 4] += (sum_i · (1 / scale_i))², in the order of i. All estimates have the
+  // rows of the first.
+  void (*square_errors[kMostEstimates + 1][kMostTerms + 1])(const double* y, const double* y_end,
+                                                            const double* const* k, const Sum* estimates,
+                                                            const ErrorScale& scale,
+                                                            double (*running)[kRunningSums], size_t begin,
+                                                            size_t end);
+  bool (*are_finite)(const double* v, size_t begin, size_t end);
 };
 
-extern const LaneKernels kLanesSse2, kLanesAvx2;
+extern const LaneKernels kLanesOne, kLanesSse2, kLanesAvx2;
 
 }  // namespace animado::fred

@@ -99,7 +99,7 @@ struct Estimate {
       "most 1."sv;
   struct Request {
     std::string method;
-    double step = 0, last_error = 1e-4;
+    double step = 0, last_error = 1e-4, last_step = 0;
     Array state, end, derivatives;
     std::vector<double> absolute_tolerance, relative_tolerance;
     template <class Self, class F>
@@ -115,6 +115,7 @@ struct Estimate {
             "> 0: one number, or one of each element of the state");
       field("relative_tolerance", s.relative_tolerance, "≥ 0, likewise");
       field("last_error", s.last_error, "of the step before, for PI control", rpc::kDefault);
+      field("last_step", s.last_step, "its h, for prediction; 0 where there was none", rpc::kDefault);
     }
   };
   struct Reply {
@@ -191,7 +192,7 @@ struct Integrate {
   };
   struct Checkpoint {
     std::string method;
-    double t = 0, step = 0, error = 1e-4, origin = 0, reported_t = 0;
+    double t = 0, step = 0, error = 1e-4, last_step = 0, origin = 0, reported_t = 0;
     bool refused = false;
     int64_t steps = 0;
     std::vector<double> state, rate;
@@ -203,6 +204,7 @@ struct Integrate {
       field("rate", s.rate, "their derivatives; empty where they are not known yet");
       field("step", s.step, "the next one");
       field("error", s.error, "memory of the step control");
+      field("last_step", s.last_step, "likewise: the length of the step before", rpc::kDefault);
       field("refused", s.refused, "likewise: the last try was refused");
       field("origin", s.origin, "equal steps are counted from here");
       field("steps", s.steps, "that were made since");

@@ -14,6 +14,7 @@
 
 #include "fred/control.hpp"
 #include "fred/derivative.hpp"
+#include "fred/state_sums.hpp"
 
 namespace animado::fred {
 
@@ -36,6 +37,7 @@ class Radau {
 
   // False when the iteration does not converge: try a shorter step.
   bool attempt(double t, double h);
+  bool end_is_finite() const { return StateSums(end_.size()).are_finite(end_.data()); }
 
   // As RungeKutta::error, by an embedded formula of third order that damps stiff parts (IV.8.19 and 8.20).
   double error(const Tolerance& tolerance);

@@ -6,7 +6,7 @@
 
 #include "fred/control.hpp"
 #include "fred/derivative.hpp"
-#include "fred/lanes.hpp"
+#include "fred/state_sums.hpp"
 #include "fred/tableau.hpp"
 
 namespace animado::fred {
@@ -30,6 +30,7 @@ class RungeKutta {
 
   // Computes the end of a step from (t, y), which always works. It may be tried again with another length.
   bool attempt(double t, double h);
+  bool end_is_finite() const { return sums_.are_finite(end_); }
 
   // Of the last try: its estimated error over the tolerance, root mean square over the elements (the DOP853
   // combination of two estimates where the method has them). At most 1 is acceptable.
@@ -42,20 +43,20 @@ class RungeKutta {
   void accept();
 
  private:
-  void evaluate(size_t s);
+  void evaluate(size_t s, double t, const double* at);
   void combine(size_t s, double* out);
   void evaluate_end();
   void prepare_dense();
 
   const Tableau& method_;
   Derivative derivative_;
-  const LaneKernels& kernels_;
-  size_t size_, padded_;
+  StateSums sums_;
+  size_t size_;
   std::unique_ptr<double[], void (*)(void*)> memory_;
   std::vector<double*> k_;  // rows of derivatives
   double *y_, *end_, *stage_;
-  std::vector<Sum> sums_;  // of each derivative that is evaluated, the weights at `stages`
-  std::vector<Sum> error_sums_;
+  std::vector<Sum> places_;  // where each derivative is evaluated: the end of the step at `stages`
+  std::vector<Sum> estimates_;
   double t_ = 0, h_ = 0;
   bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false;
   int64_t evaluations_ = 0;

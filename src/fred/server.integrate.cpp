@@ -106,7 +106,8 @@ Checkpoint checkpoint_of(const Integrate::Checkpoint& c, const Equations& equati
     throw Error(Code::bad_params, fmt::format("the checkpoint holds {} unknowns, not {}", c.state.size(), n),
                 "resume", "send the checkpoint of an integration of these equations");
   }
-  return {c.method, c.t, c.state, c.rate, {c.step, c.error, c.refused}, c.origin, c.steps, c.reported_t};
+  return {c.method, c.t,     c.state,     c.rate, {c.step, c.error, c.last_step, c.refused},
+          c.origin, c.steps, c.reported_t};
 }
 
 Integrate::Checkpoint message_of(const Checkpoint& c) {
@@ -115,6 +116,7 @@ Integrate::Checkpoint message_of(const Checkpoint& c) {
   message.t = c.t;
   message.step = c.control.step;
   message.error = c.control.error;
+  message.last_step = c.control.taken;
   message.refused = c.control.refused;
   message.origin = c.origin;
   message.reported_t = c.reported_t;

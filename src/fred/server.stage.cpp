@@ -84,6 +84,7 @@ Estimate::Reply estimate(const Estimate::Request& request, rpc::Call& call) {
   }
   refuse_infinite(request.step, "step");
   refuse_infinite(request.last_error, "last_error");
+  refuse_infinite(request.last_step, "last_step");
   const size_t needed = method.stages() + (method.error_reads_end() ? 1 : 0);
   check_shapes(request.state, request.derivatives, static_cast<int64_t>(needed));
   check_end(request.state, request.end);
@@ -94,6 +95,7 @@ Estimate::Reply estimate(const Estimate::Request& request, rpc::Call& call) {
       step_error(method, state, end, call.read(request.derivatives), request.step, tolerance);
   StepControl control(method.error_order);
   control.memory().error = std::max(request.last_error, std::numeric_limits<double>::min());
+  control.memory().taken = request.last_step;
   control.accept(error, request.step);
   return {std::isfinite(error) ? error : std::numeric_limits<double>::max(), control.memory().step};
 }

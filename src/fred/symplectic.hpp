@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fred/derivative.hpp"
+#include "fred/state_sums.hpp"
 
 namespace animado::fred {
 
@@ -33,6 +34,7 @@ class Symplectic {
   void set_rate(std::span<const double>) {}
 
   bool attempt(double t, double h);
+  bool end_is_finite() const { return StateSums(end_.size()).are_finite(end_.data()); }
   void interpolate(double theta, std::span<double> out);
   void accept() { std::swap(y_, end_); }
 

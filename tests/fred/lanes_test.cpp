@@ -1,46 +1,107 @@
-// src/fred/lanes.cpp: the same bits whatever the width of a register, and those of the sum in its stated
-// order.
+// src/fred/lanes.cpp: the bits of the sums in their stated order, whatever the width of a register.
 #include "fred/lanes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace animado::fred {
 namespace {
 
-TEST(Lanes, HaveTheSameBitsOnEveryInstructionSet) {
-  constexpr size_t kSize = 24;
-  alignas(64) static double rows[kMostTerms + 4][kSize];
-  for (size_t r = 0; r < kMostTerms + 4; ++r) {
-    for (size_t i = 0; i < kSize; ++i) rows[r][i] = std::sin(static_cast<double>(7 * r + 3 * i) + 0.1);
+std::vector<const LaneKernels*> kernels_of_this_machine() {
+  std::vector<const LaneKernels*> all = {&kLanesOne, &kLanesSse2};
+  if (__builtin_cpu_supports("avx2")) all.push_back(&kLanesAvx2);
+  return all;
+}
+
+constexpr size_t kSize = 24;
+
+// Rows of numbers that differ in all their bits, and sums over them that begin with the last.
+class Lanes : public testing::TestWithParam<int> {
+ protected:
+  Lanes() {
+    for (size_t r = 0; r < kMostTerms + 2; ++r) {
+      for (size_t i = 0; i < kSize; ++i) rows_[r][i] = std::sin(static_cast<double>(7 * r + 3 * i) + 0.1);
+    }
+    for (size_t j = 0; j < kMostTerms; ++j) k_[j] = rows_[j];
+    for (int which = 0; which < kMostEstimates; ++which) {
+      sums_[which].count = GetParam();
+      for (int j = 0; j < GetParam(); ++j) {
+        sums_[which].rows[j] = static_cast<unsigned char>(kMostTerms - 1 - j);
+        sums_[which].coefficients[j] = std::cos(j + 0.3 + which);
+      }
+    }
   }
-  const double* k[kMostTerms];
-  for (size_t j = 0; j < kMostTerms; ++j) k[j] = rows[j];
-  const double *y = rows[kMostTerms], *end = rows[kMostTerms + 1];
-  double *narrow = rows[kMostTerms + 2], *wide = rows[kMostTerms + 3];
-  const double absolute = 1e-3, relative = 1e-2;
-  for (int count = 1; count <= kMostTerms; ++count) {
-    Sum sum;
-    sum.count = count;
-    for (int j = 0; j < count; ++j) {
-      sum.rows[j] = static_cast<unsigned char>(kMostTerms - 1 - j);
-      sum.coefficients[j] = std::cos(j + 0.3);
-    }
-    const auto at = static_cast<size_t>(count);
-    kLanesSse2.combine[at](y, k, sum, 0.1, narrow, kSize);
+  double sum(int which, size_t i) const {
+    const Sum& s = sums_[which];
+    double total = s.coefficients[0] * k_[s.rows[0]][i];
+    for (int j = 1; j < s.count; ++j) total += s.coefficients[j] * k_[s.rows[j]][i];
+    return total;
+  }
+
+  double rows_[kMostTerms + 2][kSize];
+  const double *k_[kMostTerms], *y_ = rows_[kMostTerms], *end_ = rows_[kMostTerms + 1];
+  Sum sums_[kMostEstimates];
+};
+
+INSTANTIATE_TEST_SUITE_P(Terms, Lanes, testing::Range(1, kMostTerms + 1));
+
+TEST_P(Lanes, Combine) {
+  const auto terms = static_cast<size_t>(GetParam());
+  for (const LaneKernels* kernels : kernels_of_this_machine()) {
+    std::vector<double> out(kSize, 9);
+    kernels->combine[terms](y_, k_, sums_[0], 0.1, out.data(), 4, 20);
     for (size_t i = 0; i < kSize; ++i) {
-      double total = sum.coefficients[0] * k[sum.rows[0]][i];
-      for (int j = 1; j < count; ++j) total += sum.coefficients[j] * k[sum.rows[j]][i];
-      EXPECT_EQ(narrow[i], y[i] + 0.1 * total);
+      EXPECT_EQ(out[i], i < 4 || i >= 20 ? 9 : y_[i] + 0.1 * sum(0, i)) << kernels->width << " " << i;
     }
-    if (!__builtin_cpu_supports("avx2")) continue;
-    kLanesAvx2.combine[at](y, k, sum, 0.1, wide, kSize);
-    EXPECT_EQ(std::vector(narrow, narrow + kSize), std::vector(wide, wide + kSize));
-    const ErrorScale scale = {&absolute, &relative, 0};
-    EXPECT_EQ(kLanesSse2.square_error[at](y, end, k, sum, scale, kSize),
-              kLanesAvx2.square_error[at](y, end, k, sum, scale, kSize));
+  }
+}
+
+TEST_P(Lanes, SquareErrors) {
+  const auto terms = static_cast<size_t>(GetParam());
+  std::vector<double> absolute(kSize), relative(kSize);
+  for (size_t i = 0; i < kSize; ++i) {
+    absolute[i] = 1e-3 + 1e-5 * static_cast<double>(i);
+    relative[i] = 1e-2 / static_cast<double>(i + 1);
+  }
+  for (const size_t stride : {0, 1}) {
+    const ErrorScale scale = {absolute.data(), relative.data(), stride};
+    double expected[kMostEstimates][kRunningSums] = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+    for (size_t i = 4; i < 20; ++i) {
+      const double largest = std::max(std::abs(y_[i]), std::abs(end_[i]));
+      const double unit = absolute[i * stride] + relative[i * stride] * largest;
+      for (int which = 0; which < kMostEstimates; ++which) {
+        const double error = sum(which, i) * (1 / unit);
+        expected[which][i % kRunningSums] += error * error;
+      }
+    }
+    for (const LaneKernels* kernels : kernels_of_this_machine()) {
+      for (size_t estimates = 1; estimates <= kMostEstimates; ++estimates) {
+        double running[kMostEstimates][kRunningSums] = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+        kernels->square_errors[estimates][terms](y_, end_, k_, sums_, scale, running, 4, 20);
+        for (size_t which = 0; which < estimates; ++which) {
+          for (size_t i = 0; i < kRunningSums; ++i) EXPECT_EQ(running[which][i], expected[which][i]);
+        }
+      }
+    }
+  }
+}
+
+// One element that is not finite is found wherever it is.
+TEST(Lanes, FindWhatIsNotFinite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const LaneKernels* kernels : kernels_of_this_machine()) {
+    std::vector<double> v(kSize, std::numeric_limits<double>::max());
+    EXPECT_TRUE(kernels->are_finite(v.data(), 0, kSize));
+    for (const double bad : {infinity, -infinity, std::nan("")}) {
+      for (size_t i = 0; i < kSize; ++i) {
+        const double good = std::exchange(v[i], bad);
+        EXPECT_FALSE(kernels->are_finite(v.data(), 0, kSize)) << kernels->width << " " << i;
+        v[i] = good;
+      }
+    }
   }
 }
 

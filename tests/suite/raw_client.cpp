@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
 namespace animado::suite {
@@ -42,12 +43,19 @@ void RawClient::send(const Bytes& bytes) {
 }
 
 std::optional<Answer> RawClient::receive() {
+  const auto message = receive_message();
+  if (!message) return std::nullopt;
+  return Answer{message->at(1), message->at(2), message->at(3)};
+}
+
+std::optional<Json> RawClient::receive_message() {
   while (true) {
     if (!received_.empty()) {
-      const Json message = Json::from_msgpack(received_, true, false);
+      std::istringstream bytes(std::string(received_.begin(), received_.end()));
+      const Json message = Json::from_msgpack(bytes, false, false);
       if (!message.is_discarded()) {
-        received_.clear();
-        return Answer{message.at(1), message.at(2), message.at(3)};
+        received_.erase(received_.begin(), received_.begin() + bytes.tellg());
+        return message;
       }
     }
     pollfd waiting{fd_, POLLIN, 0};

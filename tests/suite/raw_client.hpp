@@ -34,7 +34,8 @@ class RawClient {
 
   void send(const Bytes& bytes);
   std::optional<Answer> receive();
-  bool closed();  // waits until the service has closed the connection
+  std::optional<Json> receive_message();  // an answer, or a notification: [2, method, [params]]
+  bool closed();                          // waits until the service has closed the connection
 
  private:
   int fd_ = -1;

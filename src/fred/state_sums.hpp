@@ -1,0 +1,44 @@
+// The sums of a Runge–Kutta step over states of one size, by the kernels that suit it: their bits do not
+// depend on which.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fred/control.hpp"
+#include "fred/lanes.hpp"
+
+namespace animado::fred {
+
+// Terms whose coefficient is zero are left out: their derivatives are not read. At most kMostTerms are left.
+Sum sum_of(std::span<const double> coefficients);
+
+using SquareErrors = std::array<double, kMostEstimates>;
+
+// Where each of the derivatives begins that lie one after the other, `size` numbers each.
+std::vector<const double*> rows_of(std::span<const double> derivatives, size_t size);
+
+class StateSums {
+ public:
+  explicit StateSums(size_t size);
+
+  // out = y + h Σ; out is apart from what is read.
+  void combine(const double* y, const double* const* k, const Sum& sum, double h, double* out) const {
+    if (wide_size_ > 0) wide_.combine[sum.count](y, k, sum, h, out, 0, wide_size_);
+    if (wide_size_ < size_) kLanesOne.combine[sum.count](y, k, sum, h, out, wide_size_, size_);
+  }
+
+  // Of each estimate, Σ_i (sum_i / scale_i)². All of them read the same derivatives.
+  SquareErrors square_errors(const double* y, const double* end, const double* const* k,
+                             std::span<const Sum> estimates, const Tolerance& tolerance) const;
+
+  bool are_finite(const double* v) const;
+
+ private:
+  const LaneKernels& wide_;
+  size_t size_, wide_size_;  // the elements beyond wide_size_ go one by one
+};
+
+}  // namespace animado::fred
