@@ -30,12 +30,12 @@ ANIMADO_INLINE Lane exponential(Lane x, Lane low = Lane{}, bool halved = false) 
   const Lane r = high - rest;
   const Lane power = 1.0 + (high + (r * r * polynomial(c, r) - rest));
   const Lane exponent = halved ? n - 1.0 : n;
-  if (__builtin_expect(any(~(magnitude(x) <= 708.0)),
-                       0)) {  // `power` means nothing where the result is 0 or ∞
+  // Where 2^n or the result is not normal; and where it is 0 or infinite, there `power` means nothing.
+  if (__builtin_expect(any(~(magnitude(x) <= 708.0)), 0)) {
     const Lane outside = select(x > 711.0, all(kInfinity), scaled(power, exponent));
     return select(x < -746.0, all(0.0), outside);
   }
-  return power * power_of_two(exponent);  // neither is subnormal
+  return power * power_of_two(exponent);
 }
 
 // What a logarithm of 0, of a negative number, of infinity or NaN is, else `value`.
