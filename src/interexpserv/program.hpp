@@ -81,8 +81,8 @@ class Program {
 };
 
 inline void Program::evaluate_single(const double* inputs, double* out) const noexcept {
-  const double a = a_.input < 0 ? a_.constant : inputs[a_.input];
-  const double b = b_.input < 0 ? b_.constant : inputs[b_.input];
+  const double a = *(a_.input < 0 ? &a_.constant : inputs + a_.input);
+  const double b = *(b_.input < 0 ? &b_.constant : inputs + b_.input);
   if (op_ == Op::multiply) {
     *out = a * b;
   } else if (op_ == Op::add) {
