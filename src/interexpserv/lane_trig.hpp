@@ -56,7 +56,7 @@ ANIMADO_INLINE Lane turned(const Reduced& x, unsigned long long quarters) {
 
 ANIMADO_INLINE Lane quotient(const Reduced& x) {
   const Waves wave = waves(x.r, x.rest);
-  const Mask odd = (Mask)(x.quadrant & 1) != 0;
+  const Mask odd = -(Mask)(x.quadrant & 1);
   return select(odd, -wave.cosine, wave.sine) / select(odd, wave.sine, wave.cosine);
 }
 
