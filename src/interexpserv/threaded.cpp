@@ -92,7 +92,7 @@ Run run_of(const Step& s) {
     case Op::negate: return ONE(-a);
     case Op::less: return TWO(a < b ? 1.0 : 0.0);
     case Op::less_equal: return TWO(a <= b ? 1.0 : 0.0);
-    case Op::both: return TWO((a != 0) & (b != 0) ? 1.0 : 0.0);
+    case Op::both: return TWO(((a != 0) & (b != 0)) ? 1.0 : 0.0);
     case Op::select: return THREE(a != 0 ? b : c);
     case Op::sine: return ONE(sine(Lane{a})[0]);
     case Op::cosine: return ONE(cosine(Lane{a})[0]);

@@ -3,11 +3,15 @@
 // them (the library's manual), which makes an error uncertain by 3/2048 of a unit of a double.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cfloat>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <random>
 #include <sstream>
 
