@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/fold.hpp"
 #include "base/nearest_name.hpp"
+#include "interexpserv/functions.hpp"
 
 namespace animado::fred {
 namespace {
@@ -48,17 +49,29 @@ std::string checked_name(std::string_view name, const std::string& where) {
   return folded;
 }
 
-struct Halves {
-  std::string_view unknown, expression;
+struct Statement {
+  std::string_view name;
+  bool is_equation;
+  std::string_view text;  // what the name stands for; of a function "(x) = …"
 };
 
-Halves split(std::string_view text, const std::string& where) {
+Statement split(std::string_view text, const std::string& where) {
   const size_t equals = text.find('=');
   const std::string_view left = trimmed(text.substr(0, equals));
-  if (equals == text.npos || left.empty() || left.back() != '\'') {
-    throw Error(Code::syntax, fmt::format("'{}' is not an equation", text), where, "write it as x' = v");
+  if (equals == text.npos || left.empty()) {
+    throw Error(Code::syntax, fmt::format("'{}' is neither an equation nor a definition", text), where,
+                "write x' = v for an unknown, k = 2 or f(x) = x^2 for what equations use");
   }
-  return {trimmed(left.substr(0, left.size() - 1)), text.substr(equals + 1)};
+  const std::string_view right = text.substr(equals + 1);
+  if (left.back() == '\'') return {trimmed(left.substr(0, left.size() - 1)), true, right};
+  const size_t open = text.find('(');
+  if (open > equals) return {left, false, right};
+  const std::string_view function = trimmed(text.substr(0, open));
+  if (interexpserv::is_function(fold(function))) {
+    throw Error(Code::conflict, fmt::format("'{}' is a function of the language", function), where,
+                "choose another name");
+  }
+  return {function, false, text.substr(open)};
 }
 
 [[noreturn]] void refuse_twice(const std::string& name, const std::string& where) {
@@ -102,16 +115,27 @@ Equations::Equations(std::span<const std::string> texts, const NamedValues& cons
   const auto refuse_known = [&](const std::string& folded, const std::string& where) {
     if (names_->MapScope::find(folded)) refuse_twice(folded, where);
   };
-  std::vector<std::string_view> expressions;
+  std::vector<std::string_view> right_sides;
+  std::vector<std::pair<std::string_view, std::string>> definitions;
   for (size_t i = 0; i < texts.size(); ++i) {
     const std::string where = fmt::format("equations[{}]", i);
-    const auto [unknown, expression] = split(texts[i], where);
-    const std::string folded = checked_name(unknown, where);
+    const Statement statement = split(texts[i], where);
+    const std::string folded = checked_name(statement.name, where);
     refuse_known(folded, where);
-    names_->input(folded, Type::scalar);
-    unknowns_.emplace_back(unknown);
-    folded_.push_back(folded);
-    expressions.push_back(expression);
+    if (statement.is_equation) {
+      names_->input(folded, Type::scalar);
+      unknowns_.emplace_back(statement.name);
+      folded_.push_back(folded);
+      places_.push_back(where);
+      right_sides.push_back(statement.text);
+    } else {
+      names_->define(folded, std::string(trimmed(statement.text)));
+      definitions.emplace_back(statement.text, where);
+    }
+  }
+  if (unknowns_.empty() && !texts.empty()) {
+    throw Error(Code::syntax, "there are definitions, but no equation", "equations[0]",
+                "write an equation for each unknown, as x' = v");
   }
   for (size_t i = 0; i < constants.size(); ++i) {
     const std::string where = fmt::format("constants[{}]", i);
@@ -119,10 +143,11 @@ Equations::Equations(std::span<const std::string> texts, const NamedValues& cons
     refuse_known(folded, where);
     names_->set(folded, Value::scalar(constants[i].second));
   }
+  for (const auto& [text, where] : definitions) interexpserv::compile(text, *names_, where);  // used or not
   inputs_.resize(1 + size());
   rates_.resize(1 + size());
   for (size_t i = 0; i < size(); ++i) {
-    right_sides_.push_back(compiled(expressions[i], fmt::format("equations[{}]", i),
+    right_sides_.push_back(compiled(right_sides[i], places_[i],
                                     "an unknown is one number: write an equation for each component"));
   }
 }

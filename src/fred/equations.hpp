@@ -19,15 +19,18 @@ using Lookup = std::function<std::optional<interexpserv::Value>(std::string_view
 
 class Equations {
  public:
-  // Each text is "unknown' = expression" of t, the unknowns, the constants and what is looked up; case and
+  // Each text is "unknown' = expression" of t, the unknowns, the constants and what is looked up, or a
+  // definition that the others may use, "name = expression" or "function(parameters) = expression"; case and
   // accents do not matter. Throws syntax, type, unknown_name and, for a name that is given twice, conflict;
-  // where names the equation.
+  // where names the text.
   Equations(std::span<const std::string> texts, const NamedValues& constants, Lookup lookup = {});
   ~Equations();
 
   size_t size() const { return unknowns_.size(); }
   // As written, in the order of the equations.
   const std::vector<std::string>& unknowns() const { return unknowns_; }
+  // Which of the texts gives unknown i, for messages: "equations[2]".
+  const std::string& place(size_t i) const { return places_[i]; }
 
   // The values of the unknowns in that order. Throws bad_params when one is missing, unknown_name when there
   // is one too many, conflict when one is given twice.
@@ -55,7 +58,7 @@ class Equations {
   Expression compiled(std::string_view text, const std::string& where, const char* remedy) const;
   void load(const Expression& expression, double t, std::span<const double> y) const;
 
-  std::vector<std::string> unknowns_, folded_;
+  std::vector<std::string> unknowns_, folded_, places_;
   std::unique_ptr<Names> names_;
   std::vector<Expression> right_sides_;
   mutable std::vector<double> inputs_, rates_;  // scratch

@@ -226,7 +226,8 @@ struct Integrate {
     double max_time_s = 60, progress_s = 0;
     template <class Self, class F>
     static void fields(Self& s, F&& field) {
-      field("equations", s.equations, "one an unknown, as \"x' = v\"");
+      field("equations", s.equations,
+            "one an unknown, as \"x' = v\", and definitions that they use, as \"f(x) = x^2\"");
       field("from", s.from, "the unknowns at t0; left out with `resume`", rpc::kDefault);
       field("constants", s.constants, "names that the equations use", rpc::kDefault);
       field("t0", s.t0, "start", rpc::kDefault);

@@ -19,7 +19,7 @@ enum class Colour { none, position, momentum };
       a == b
           ? fmt::format("{}' depends on {} itself: the system is not separable", names[a], names[a])
           : fmt::format("{} and {} depend on each other in a way that is not separable", names[a], names[b]),
-      fmt::format("equations[{}]", a),
+      equations.place(a),
       "symplectic methods need positions that move by momenta alone, and momenta by positions alone, as x' = "
       "v, "
       "v' = -x; use another method");

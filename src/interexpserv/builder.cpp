@@ -89,8 +89,14 @@ Register Builder::table(Table table) {
   return constant(static_cast<double>(tables_.size() - 1));
 }
 
-// Powers that are products: exact to a rounding each, and many times as fast.
+// Powers that are products: exact to a rounding each, and many times as fast. A sign before a product or a
+// quotient goes into a constant factor or divisor: the same bits, an operation less.
 Register Builder::simplified(Op op, Register a, Register b) {
+  if ((op == Op::multiply || op == Op::divide) && is_constant(b) && nodes_[a].kind == Kind::instruction &&
+      nodes_[a].instruction.op == Op::negate) {
+    const Register positive = nodes_[a].instruction.a;
+    return apply(op, positive, constant(-value(b)));
+  }
   if (op != Op::power || !is_constant(b)) return kNone;
   if (value(b) == 1) return a;
   if (value(b) == 2) return apply(Op::multiply, a, a);

@@ -11,10 +11,10 @@
 namespace animado::interexpserv {
 namespace {
 
-static_assert(kWidth == 2);
+static_assert(kWidth == 1);
 
 ANIMADO_INLINE Lane one(double x) {
-  return Lane{x, 0};
+  return Lane{x};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #ifndef ANIMADO_LANE_BYTES
-#define ANIMADO_LANE_BYTES 16  // the baseline: SSE2
+#define ANIMADO_LANE_BYTES 8  // one number: plain scalar code
 #endif
 
 namespace animado::interexpserv {
@@ -38,10 +38,14 @@ ANIMADO_INLINE Lane all(double x) {
   return x - Lane{};
 }
 ANIMADO_INLINE Lane select(Mask mask, Lane yes, Lane no) {
+#if ANIMADO_LANE_BYTES == 16  // without an instruction for it; the compiler would compare the mask with 0
+  return (Lane)(((Word)yes & (Word)mask) | ((Word)no & ~(Word)mask));
+#else
   return mask ? yes : no;
+#endif
 }
 ANIMADO_INLINE Lane select(Mask mask, double yes, double no) {
-  return mask ? all(yes) : all(no);
+  return select(mask, all(yes), all(no));
 }
 ANIMADO_INLINE Lane magnitude(Lane x) {
   return (Lane)((Word)x & ~kSignBit);
@@ -77,12 +81,19 @@ ANIMADO_INLINE bool any(Mask mask) {
 ANIMADO_INLINE Lane square_root(Lane x) {
   return __builtin_ia32_sqrtpd256(x);
 }
-#else
+#elif ANIMADO_LANE_BYTES == 16
 ANIMADO_INLINE bool any(Mask mask) {
   return __builtin_ia32_movmskpd((Lane)mask) != 0;
 }
 ANIMADO_INLINE Lane square_root(Lane x) {
   return __builtin_ia32_sqrtpd(x);
+}
+#else
+ANIMADO_INLINE bool any(Mask mask) {
+  return mask[0] != 0;
+}
+ANIMADO_INLINE Lane square_root(Lane x) {
+  return Lane{__builtin_sqrt(x[0])};
 }
 #endif
 

@@ -7,7 +7,7 @@
 //
 // The ways are those of [CW80]; the polynomials are minimax, found by Remez' exchange in
 // 60 digits: e^r to 2^−58, R to 2^−59. Largest errors in units of the last place, against a 113-bit
-// reference: exp 0.95, log 0.8, log10 0.51, x^y 0.95.
+// reference: exp 0.97, log 0.87, log10 0.51, x^y 0.97.
 #pragma once
 
 #include "interexpserv/lane.hpp"
@@ -19,18 +19,23 @@ constexpr double kLog2E = 0x1.71547652b82fep+0;
 constexpr double kLn2High = 0x1.62e42fefa3800p-1;  // 42 bits: a multiple by an exponent is exact
 constexpr double kLn2Low = 0x1.ef35793c76730p-45;
 
-// e^(x + low) 2^halvings; |low| is at most a unit in the last place of x.
-ANIMADO_INLINE Lane exponential(Lane x, Lane low = Lane{}, double halvings = 0) {
+// e^(x + low), or half of it, for which x is not negative; |low| is at most a unit in the last place of x.
+ANIMADO_INLINE Lane exponential(Lane x, Lane low = Lane{}, bool halved = false) {
   constexpr double c[] = {0x1.000000000000bp-1,  0x1.5555555555561p-3,  0x1.5555555550042p-5,
                           0x1.111111110d626p-7,  0x1.6c16c185a36bdp-10, 0x1.a01a01bae8fd2p-13,
                           0x1.a019969e827e0p-16, 0x1.71dddfbe1ae9bp-19, 0x1.28b03eede2e15p-22,
                           0x1.af859af5c2968p-26};
-  x = select(x > 711.0, all(711.0), x);  // beyond, the result is infinite or 0 all the same
-  x = select(x < -746.0, all(-746.0), x);
-  const Lane n = nearest(x * kLog2E);
+  const Lane shifted = x * kLog2E + kInteger, n = shifted - kInteger;
   const Lane high = x - n * kLn2High, rest = n * kLn2Low - low;
-  const Lane r = high - rest, r_low = (high - r) - rest;
-  return scaled(1.0 + (r + (r * r * polynomial(c, r) + r_low)), n - halvings);
+  const Lane r = high - rest;
+  const Lane power = 1.0 + (high + (r * r * polynomial(c, r) - rest));
+  const Lane exponent = halved ? n - 1.0 : n;
+  // Where 2^n or the result is not normal; and where it is 0 or infinite, there `power` means nothing.
+  if (__builtin_expect(any(~(magnitude(x) <= 708.0)), 0)) {
+    const Lane outside = select(x > 711.0, all(kInfinity), scaled(power, exponent));
+    return select(x < -746.0, all(0.0), outside);
+  }
+  return power * power_of_two(exponent);
 }
 
 // What a logarithm of 0, of a negative number, of infinity or NaN is, else `value`.
@@ -86,8 +91,7 @@ ANIMADO_INLINE Lane power(Lane x, Lane y) {
   const Lane cut = select(size > 0x1p66, flipped(all(0x1p66), sign_of(y)), y);  // as good as infinite
   const Pair log = precise_logarithm(base);
   const Pair p = product(log.high, cut);
-  const Lane rest = select(magnitude(p.high) < 750.0, p.low + log.low * cut, all(0.0));
-  Lane result = exponential(p.high, rest);
+  Lane result = exponential(p.high, p.low + log.low * cut);
   const Mask grows = y > 0.0;
   result = select(base == 0.0, select(grows, 0.0, kInfinity), result);
   result = select(base == kInfinity, select(grows, kInfinity, 0.0), result);

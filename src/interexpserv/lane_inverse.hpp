@@ -4,7 +4,7 @@
 //   asin x = x + x³ A(x²) for |x| ≤ ½, else π/2 − 2 asin √((1 − |x|)/2), the root as a sum of two numbers
 //
 // After [CW80, 9 and 10]; minimax polynomials, atan to 2^−57, asin to 2^−59. Largest errors in units of the
-// last place: asin and acos 0.7, atan 0.8, atan2 1.3.
+// last place: asin and acos 0.7, atan 0.8, atan2 1.52.
 #pragma once
 
 #include "interexpserv/lane.hpp"

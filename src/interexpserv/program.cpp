@@ -9,7 +9,8 @@
 
 namespace animado::interexpserv {
 
-Program::Program(std::string text, CompiledCode code) : text_(std::move(text)), code_(std::move(code)) {
+Program::Program(std::string text, CompiledCode code)
+    : text_(std::move(text)), code_(std::move(code)), steps_(threaded(code_)) {
   if (code_.instructions.size() != 1) return;
   const Instruction& i = code_.instructions[0];
   single_ = code_.result.type != Type::vector &&
@@ -29,63 +30,13 @@ Value Program::constant() const {
   return value;
 }
 
-namespace {
-
-// A handful of numbers: a call of memcpy, which the compiler would make of this, takes longer.
-inline double* copied(const double* from, size_t count, double* to) {
-  for (const double* const end = from + count; from != end; ++from) {
-    *to++ = *from;
-    asm("" : "+r"(to));
-  }
-  return to;
-}
-
-}  // namespace
-
-// The commonest operations are spelt out: a call costs as much as they do.
-void Program::evaluate_many(const double* inputs, double* out) const noexcept {
-  double r[kMaxRegisters];
-  copied(inputs, code_.input_count, copied(code_.constants.data(), code_.constants.size(), r));
-  for (const Instruction& i : code_.instructions) {
-    switch (i.op) {
-      case Op::add:
-        r[i.out] = r[i.a] + r[i.b];
-        break;
-      case Op::subtract:
-        r[i.out] = r[i.a] - r[i.b];
-        break;
-      case Op::multiply:
-        r[i.out] = r[i.a] * r[i.b];
-        break;
-      case Op::divide:
-        r[i.out] = r[i.a] / r[i.b];
-        break;
-      case Op::sqrt:
-        r[i.out] = std::sqrt(r[i.a]);
-        break;
-      case Op::less:
-        r[i.out] = r[i.a] < r[i.b];
-        break;
-      case Op::both:
-        r[i.out] = (r[i.a] != 0) & (r[i.b] != 0);
-        break;
-      case Op::select:
-        r[i.out] = r[r[i.a] != 0 ? i.b : i.c];
-        break;
-      case Op::sine:
-        r[i.out] = sine(r[i.a]);
-        break;
-      case Op::cosine:
-        r[i.out] = cosine(r[i.a]);
-        break;
-      case Op::exp:
-        r[i.out] = exponential(r[i.a]);
-        break;
-      default:
-        r[i.out] = value_of(i.op, r[i.a], r[i.b], r[i.c], code_.tables ? code_.tables->data() : nullptr);
-    }
-  }
-  for (size_t k = 0; k < width_of(type()); ++k) out[k] = r[code_.result.at[k]];
+void Program::evaluate_steps(const double* inputs, double* out) const noexcept {
+  double results[kMaxRegisters];
+  const Frame frame = {{code_.constants.data(), inputs, results, results},
+                       results,
+                       out,
+                       code_.tables ? code_.tables->data() : nullptr};
+  steps_[0].run(0, steps_.data(), frame);
 }
 
 bool Program::same_code(const Program& other) const {

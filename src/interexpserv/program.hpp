@@ -11,6 +11,7 @@
 #include "interexpserv/builder.hpp"
 #include "interexpserv/expression_error.hpp"
 #include "interexpserv/scope.hpp"
+#include "interexpserv/threaded.hpp"
 #include "interexpserv/value.hpp"
 
 namespace animado::interexpserv {
@@ -44,7 +45,7 @@ class Program {
     if (single_) {
       evaluate_single(inputs, out);
     } else {
-      evaluate_many(inputs, out);
+      evaluate_steps(inputs, out);
     }
   }
 
@@ -63,12 +64,13 @@ class Program {
 
  private:
   void evaluate_single(const double* inputs, double* out) const noexcept;
-  void evaluate_many(const double* inputs, double* out) const noexcept;
+  void evaluate_steps(const double* inputs, double* out) const noexcept;
 
   std::string text_;
   CompiledCode code_;
-  // A program of one arithmetic operation is read from here, without a register. An operand is input
-  // `input`, or `constant` when that is negative.
+  std::vector<Step> steps_;
+  // A program of one arithmetic operation is not worth two jumps. An operand is input `input`, or `constant`
+  // when that is negative.
   struct Source {
     double constant;
     int input;
@@ -79,8 +81,8 @@ class Program {
 };
 
 inline void Program::evaluate_single(const double* inputs, double* out) const noexcept {
-  const double a = a_.input < 0 ? a_.constant : inputs[a_.input];
-  const double b = b_.input < 0 ? b_.constant : inputs[b_.input];
+  const double a = *(a_.input < 0 ? &a_.constant : inputs + a_.input);
+  const double b = *(b_.input < 0 ? &b_.constant : inputs + b_.input);
   if (op_ == Op::multiply) {
     *out = a * b;
   } else if (op_ == Op::add) {

@@ -30,7 +30,7 @@ uint64_t bits_from(int first) {
 
 // |x| = n π/2 + r for a finite |x| ≥ 2^16.
 struct LargeReduced {
-  double r, low;
+  double r, rest;  // the angle is r − rest
   uint64_t quadrant;
 };
 LargeReduced reduce(double x) {
@@ -66,8 +66,8 @@ LargeReduced reduce(double x) {
   constexpr double half_pi = 0x1.921fb54442d18p+0, half_pi_low = 0x1.1a62633145c07p-54;
   const Pair whole = product(Lane{high}, Lane{half_pi});
   const double tail = whole.low[0] + (high * half_pi_low + low * half_pi);
-  const double r = whole.high[0] + tail, r_low = (whole.high[0] - r) + tail;
-  return {upper ? -r : r, upper ? -r_low : r_low, quadrant + (upper ? 1 : 0)};
+  const double r = whole.high[0] + tail, rest = (r - whole.high[0]) - tail;
+  return {upper ? -r : r, upper ? -rest : rest, quadrant + (upper ? 1 : 0)};
 }
 
 // f of x as lanes.
@@ -75,7 +75,7 @@ template <class F>
 double of_large(double x, bool odd, F f) {
   if (!(std::fabs(x) < kInfinity)) return kNaN;
   const LargeReduced large = reduce(x);
-  const double value = f(Reduced{Lane{large.r}, Lane{large.low}, Word{large.quadrant}})[0];
+  const double value = f(Reduced{Lane{large.r}, Lane{large.rest}, Word{large.quadrant}})[0];
   return odd && x < 0 ? -value : value;
 }
 

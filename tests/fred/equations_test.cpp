@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "base/error.hpp"
 
@@ -56,6 +57,21 @@ TEST(Equations, AreDifferentiatedExactly) {
   EXPECT_EQ(jacobian, (std::vector<double>{3, 2, 0, std::cos(2.0), 0, 0, 0, 0, 10}));
 }
 
+TEST(Equations, MayDefineWhatTheyUse) {
+  const Equations equations(
+      Texts{"w0 = 2*pi", "x' = v", "Pull(x, k) = -k*x^3", "v' = pull(x, w0) + shift.y", "shift = (0, t, 0)"},
+      {});
+  EXPECT_EQ(equations.unknowns(), (Texts{"x", "v"}));
+  EXPECT_EQ(equations.place(1), "equations[3]");
+  std::vector<double> rate(2), jacobian(4);
+  equations.evaluate(5, std::vector<double>{1, 7}, rate);
+  EXPECT_EQ(rate, (std::vector<double>{7, 5 - 2 * std::numbers::pi}));
+  equations.differentiate(5, std::vector<double>{1, 7}, jacobian);
+  EXPECT_EQ(jacobian, (std::vector<double>{0, 1, -6 * std::numbers::pi, 0}));
+  EXPECT_EQ(equations.read_by(1), (std::vector<size_t>{0}));
+  EXPECT_EQ(equations.expression("pull(2, 1)", "events[0]")(0, std::vector<double>{1, 7}), -8);
+}
+
 TEST(Equations, OtherExpressionsReadTheSameNames) {
   const Equations equations(Texts{"x' = 1", "y' = 1"}, {{"k", 10}});
   const auto value = [&](std::string_view text) {
@@ -80,6 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
     , RefusedEquations,
     testing::Values(
         Mistake{"no_prime", {"x = 1"}, {}, {}, Code::syntax, "equations[0]"},
+        Mistake{"definition_of_an_unknown", {"x' = 1", "x = 2"}, {}, {}, Code::conflict, "equations[1]"},
+        Mistake{"defined_and_given", {"x' = k", "k = 2"}, {{"k", 1}}, {}, Code::conflict, "constants[0]"},
+        Mistake{"bad_definition", {"x' = 1", "f(x) = x +"}, {}, {}, Code::syntax, "equations[1]"},
+        Mistake{"unused_definition", {"x' = 1", "k = 2*w"}, {}, {}, Code::unknown_name, "equations[1]"},
+        Mistake{"need_each_other", {"x' = a", "a = b", "b = a"}, {}, {}, Code::cycle, "equations[1]"},
+        Mistake{"known_function", {"x' = 1", "sin(x) = x"}, {}, {}, Code::conflict, "equations[1]"},
         Mistake{"no_equals", {"x' = 1", "y'"}, {}, {}, Code::syntax, "equations[1]"},
         Mistake{"no_name", {"2x' = 1"}, {}, {}, Code::syntax, "equations[0]"},
         Mistake{"reserved", {"t' = 1"}, {}, {}, Code::conflict, "equations[0]"},

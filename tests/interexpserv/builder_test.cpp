@@ -45,6 +45,17 @@ TEST(Builder, WhatTheResultDoesNotNeedIsGone) {
   EXPECT_EQ(code.registers, 5u);
 }
 
+TEST(Builder, ASignGoesIntoAConstantFactorOrDivisor) {
+  for (const Op op : {Op::multiply, Op::divide}) {
+    Builder b;
+    const Register t = b.input({"t", Type::scalar}).at[0];
+    const CompiledCode code = b.finish(Operand::scalar(b.apply(op, b.apply(Op::negate, t), b.constant(3.0))));
+    ASSERT_EQ(code.instructions.size(), 1u);
+    EXPECT_EQ(code.instructions[0].op, op);
+    EXPECT_EQ(code.constants, std::vector<double>{-3});
+  }
+}
+
 TEST(Builder, AChoiceThatIsKnownIsTaken) {
   Builder b;
   const Register x = b.input({"x", Type::scalar}).at[0], y = b.input({"y", Type::scalar}).at[0];

@@ -1,4 +1,5 @@
 // Text → outline → constants → bodies → checks among them.
+#include "controle/scene/check_dimensions.hpp"
 #include "controle/scene/check_expressions.hpp"
 #include "controle/scene/constants.hpp"
 #include "controle/scene/read_body.hpp"
@@ -58,6 +59,7 @@ Scene parse_scene(const std::string& text, const std::string& path) {
   scene.time = read_time(outline, constants);
   check_groups(scene);
   check_expressions(scene);
+  check_dimensions(outline, scene);
   qualify_names(scene);
   return scene;
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "interexpserv/program.hpp"
+
 namespace animado::controle {
 
 enum class Block { object, world, time };
@@ -16,6 +18,7 @@ std::string_view name_of(Block block);
 struct Property {
   std::string_view canonical;
   Block block;
+  interexpserv::Dimension dimension;       // plain: of what is no quantity
   std::vector<std::string_view> synonyms;  // folded
   std::string_view value;                  // what stands after it, for messages and the page
   std::string_view otherwise;              // what holds when it is left out; empty: nothing does

@@ -217,6 +217,23 @@ const std::vector<Mistake> kMistakes = {
     {"EndBeforeStart", times(" start 2\n end 1\n step 0.1\n"), Code::refused, "5:6", "before the start",
      "go forward"},
     {"TooManyFrames", times(" end 1\n step 1e-12\n"), Code::limit, "5:7", "frames", "substep"},
+
+    // what is measured
+    {"MassInMetres", with_time("object ball\n mass 2 m"), Code::type, "2:7",
+     "`mass` measures a mass (kg), this is a length (m)", "without one, in SI"},
+    {"VelocityInMetres", ball(" velocity (1 m, 0, 0)"), Code::type, "3:11", "this is a length (m)", "SI"},
+    {"ForceInTorque", ball(" force (0, 5 Nm, t)"), Code::type, "3:8", "`force` measures a force", "SI"},
+    {"PathInSeconds", with_time("object ball\n motion path\n path position (2 s, t, 0)"), Code::type, "3:16",
+     "this is a time (s)", "SI"},
+    {"RotationInMetres", ball(" rotation (1 cm, 0, 0)"), Code::type, "3:11", "a number or an angle", "SI"},
+    {"DefinitionOfAnotherDimension",
+     with_time("arm.reach = 3 m\nobject ball\n mass 1\n angular velocity (0, arm.reach, 0)"), Code::type,
+     "4:19", "this is a length (m)", "SI"},
+    {"DensityOfAnotherPower", with_time("object ball\n shape sphere(radius=1)\n density 5 kg/m^2"),
+     Code::type, "3:10", "`density` measures", "SI"},
+    {"GravityAsVelocity", world(" gravity (0, -9.81 m/s, 0)"), Code::type, "2:10", "this is", "SI"},
+    {"StiffnessAsForce", world(" spring k 5 N"), Code::type, "2:11", "`spring k` measures", "SI"},
+    {"StepInMetres", times(" end 1\n step 10 cm\n"), Code::type, "5:7", "`step` measures a time (s)", "SI"},
 };
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
@@ -233,6 +250,20 @@ TEST_P(Mistakes, AreRefusedWithPlaceAndRemedy) {
     EXPECT_THAT(error.remedy(), HasSubstr(mistake.remedy));
     EXPECT_FALSE(error.remedy().empty());
   }
+}
+
+TEST(Units, ThatMeasureWhatThePropertyDoesAreTaken) {
+  const Scene scene = parse_scene(
+      "world\n gravity (0, -981 cm/s^2, 0)\n spring k 2 kN/m\n contact threshold 1 cm/s\n"
+      "object ball\n shape sphere(radius=1)\n density 5 g/m^3\n position (1, 20 cm, 0)\n rotation (90 deg, "
+      "1, 0)\n"
+      " velocity (36 km/h, 1, 0)\n angular velocity (60 rpm, 1 Hz, 2)\n force (1 kN, 5 kg*m/s^2 * t, 0)\n"
+      " torque (1 Nm, 1 J, 0)\n linear damping 3 Hz\n restitution 0.5\n"
+      "object cube\n mass 500 g\n moments of inertia (1 kg*m^2, 1, 1)\n"
+      "time\n end 1 min\n step 100 ms\n",
+      "s.animado");
+  EXPECT_EQ(scene.bodies[0].velocity_m_s.x(), 10);
+  EXPECT_EQ(scene.bodies[1].mass_kg, 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Mistakes, testing::ValuesIn(kMistakes),
