@@ -21,14 +21,16 @@ struct Tolerance {
   }
 };
 
+constexpr double kLeastError = 1e-4;  // remembered of a step that was far too good
+
 // Chooses the next step from the errors of the last two: PI control of Gustafsson, in the form of Hairer,
 // Nørsett, Wanner, Solving ODE I (1993), II.4, and II (1996), IV.2.
 class StepControl {
  public:
-  struct Memory {          // what a checkpoint keeps
-    double step = 0;       // the next one, signed
-    double error = 1e-4;   // of the last step that was accepted
-    bool refused = false;  // the last try was refused
+  struct Memory {                // what a checkpoint keeps
+    double step = 0;             // the next one, signed
+    double error = kLeastError;  // of the last step that was accepted
+    bool refused = false;        // the last try was refused
   };
 
   explicit StepControl(int error_order);

@@ -29,21 +29,29 @@ double error_of(std::span<const double> squares, double step, size_t n) {
 }
 
 double step_error(const Tableau& method, std::span<const double> state, std::span<const double> end,
-                  std::span<const double> derivatives, double step, const Tolerance& tolerance) {
-  assert(method.is_adaptive() && state.size() == end.size());
+                  std::span<const double> derivatives, double step, const Tolerance& tolerance,
+                  size_t systems) {
+  assert(method.is_adaptive() && state.size() == end.size() && state.size() % systems == 0);
   const size_t read = method.stages() + (method.error_reads_end() ? 1 : 0);
+  const size_t estimates = method.errors.size();
   const std::vector<double> zeros(state.size());
-  std::vector<double> error(state.size()), squares;
-  for (const auto& weights : method.errors) {
-    combine(zeros, derivatives, std::span(weights).first(read), 1, error);
-    double sum = 0;
-    for (size_t i = 0; i < state.size(); ++i) {
+  std::vector<double> error(state.size()), squares(systems * estimates);
+  for (size_t e = 0; e < estimates; ++e) {
+    combine(zeros, derivatives, std::span(method.errors[e]).first(read), 1, error);
+    for (size_t i = 0, system = 0; i < state.size(); ++i) {
       const double scaled = error[i] / tolerance.scale(i, std::max(std::abs(state[i]), std::abs(end[i])));
-      sum += scaled * scaled;
+      squares[system * estimates + e] += scaled * scaled;
+      if (++system == systems) system = 0;
     }
-    squares.push_back(sum);
   }
-  return error_of(squares, step, state.size());
+  double worst = 0;
+  for (size_t system = 0; system < systems; ++system) {
+    const double of_system =
+        error_of(std::span(squares).subspan(system * estimates, estimates), step, state.size() / systems);
+    if (!(of_system <= worst)) worst = of_system;
+    if (std::isnan(worst)) break;
+  }
+  return worst;
 }
 
 void dense_output(const Tableau& method, std::span<const double> state, std::span<const double> end,

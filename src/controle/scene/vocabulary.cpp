@@ -95,7 +95,7 @@ const std::vector<Property>& table() {
       {"gravity", kWorld, {"gravidade"}, "vector, m/s²", "(0, 0, 0)"},
       {"method", kWorld, {"metodo"}, "a method of fred", "`rk4`"},
       {"substep", kWorld, {"subpasso"}, "s, > 0, the largest step inside a frame", "chosen by controle"},
-      {"tolerance", kWorld, {"tolerancia"}, "> 0, of an adaptive method", "chosen by controle"},
+      {"tolerance", kWorld, {"tolerancia"}, "> 0, of the error of a step", "chosen by controle"},
       {"response", kWorld, {"resposta"}, "`impulse`, `system15` or `spring`", "`impulse`"},
       {"spring k", kWorld, {"k da mola"}, "N/m, > 0, for `response spring`", ""},
       {"spring damping", kWorld, {"amortecimento da mola"}, "N s/m, ≥ 0, for `response spring`", "0"},
