@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "controle/equations_of_motion.hpp"
-#include "controle/live_program.hpp"
+#include "controle/program_batches.hpp"
 
 namespace animado::controle {
 
@@ -32,7 +32,7 @@ class Forces {
   size_t driven() const { return drives_.size(); }
   size_t body_of(size_t drive) const { return drives_[drive].body; }
 
-  void replace(std::vector<Drive> drives) { drives_ = std::move(drives); }  // after a live edit
+  void replace(std::vector<Drive> drives);  // after a live edit
 
   // Wrenches (6, N): force through the centre of mass and torque about it, world axes. powers: one a drive.
   // Throws Error diverged when an expression is not finite.
@@ -47,7 +47,10 @@ class Forces {
     Vec3 force, torque;  // of the expressions, world
     Vec3 damping_force, damping_torque;
   };
-  Load load(const Drive& drive, const Moment& moment, const BodyState& body) const;
+  // value: of an expression; asked for in the order of the drive's lists: forces, local ones, torques, local
+  // ones.
+  template <class Value>
+  Load load(const Drive& drive, const BodyState& body, Value value) const;
   [[noreturn]] void refuse(const Body& body, double time_s) const;
   Vec3 center_velocity(size_t body, const BodyState& state) const;
 
@@ -55,6 +58,7 @@ class Forces {
   std::vector<Inertia> inertias_;
   std::vector<double> falling_kg_;  // mass that gravity pulls: none of a body that is not dynamic
   std::vector<Drive> drives_;
+  mutable ProgramBatches batches_;  // of all drives' expressions
 };
 
 }  // namespace animado::controle
