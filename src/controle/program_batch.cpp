@@ -1,4 +1,4 @@
-#include "controle/program_batches.hpp"
+#include "controle/program_batch.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -6,8 +6,7 @@
 namespace animado::controle {
 namespace {
 
-constexpr size_t kFewestLanes = 8;       // what the widest register holds: fewer are evaluated one by one
-constexpr size_t kBatchesLookedAt = 16;  // scenes of more formulas than this, in turn, are rare
+constexpr size_t kFewestLanes = 8;  // what the widest register holds: fewer are evaluated one by one
 
 // The first row of the state that holds a member; none where it has to be computed.
 std::optional<size_t> row_of(Member member) {
@@ -98,7 +97,7 @@ void ProgramBatch::gather(Column& column, const Moment& moment) {
   }
 }
 
-void ProgramBatch::evaluate(const Moment& moment) {
+const double* ProgramBatch::evaluate(const Moment& moment) {
   const size_t lanes = members_.size();
   double* const out[3] = {values_.data(), values_.data() + lanes, values_.data() + 2 * lanes};
   if (!opened_) {
@@ -106,7 +105,7 @@ void ProgramBatch::evaluate(const Moment& moment) {
       const Vec3 value = members_[i]->vector(moment);
       for (size_t k = 0; k < 3; ++k) out[k][i] = value[static_cast<int>(k)];
     }
-    return;
+    return values_.data();
   }
   inputs_.clear();
   for (const auto& constant : constants_) inputs_.push_back({constant.data(), constant.size() == 1});
@@ -122,26 +121,7 @@ void ProgramBatch::evaluate(const Moment& moment) {
     }
   }
   opened_->evaluate_batch(inputs_, lanes, out);
-}
-
-Vec3 ProgramBatch::value(size_t lane) const {
-  const double* const x = values_.data() + lane;
-  const size_t lanes = members_.size();
-  return {x[0], x[lanes], x[2 * lanes]};
-}
-
-ProgramBatches::ProgramBatches(const std::vector<const LiveProgram*>& programs) {
-  for (const LiveProgram* program : programs) {
-    size_t batch = batches_.size() - std::min(kBatchesLookedAt, batches_.size());
-    while (batch < batches_.size() && !batches_[batch].add(*program)) ++batch;
-    if (batch == batches_.size()) batches_.emplace_back(*program);
-    places_.push_back({batch, batches_[batch].lanes() - 1});
-  }
-  for (ProgramBatch& batch : batches_) batch.close();
-}
-
-void ProgramBatches::evaluate(const Moment& moment) {
-  for (ProgramBatch& batch : batches_) batch.evaluate(moment);
+  return values_.data();
 }
 
 }  // namespace animado::controle

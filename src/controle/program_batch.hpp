@@ -19,8 +19,7 @@ class ProgramBatch {
   void close();                          // all are there
   size_t lanes() const { return members_.size(); }
 
-  void evaluate(const Moment& moment);
-  Vec3 value(size_t lane) const;  // of the last evaluation
+  const double* evaluate(const Moment& moment);  // (3, lanes)
 
  private:
   // An input of the opened program: where its rows start, and by what bodies they are read.
@@ -38,25 +37,6 @@ class ProgramBatch {
   std::vector<Column> columns_;
   std::vector<interexpserv::Lanes> inputs_;
   std::vector<double> values_;  // (3, lanes)
-};
-
-class ProgramBatches {
- public:
-  // The programs are used later. What is told of each has its index in this list.
-  explicit ProgramBatches(const std::vector<const LiveProgram*>& programs);
-
-  void evaluate(const Moment& moment);
-  Vec3 value(size_t program) const {
-    const auto [batch, lane] = places_[program];
-    return batches_[batch].value(lane);
-  }
-
- private:
-  struct Place {
-    size_t batch, lane;
-  };
-  std::vector<ProgramBatch> batches_;
-  std::vector<Place> places_;
 };
 
 }  // namespace animado::controle

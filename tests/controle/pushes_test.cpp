@@ -1,9 +1,11 @@
-// src/controle/program_batches.cpp: many bodies with one formula, to the bits of each alone.
-#include "controle/program_batches.hpp"
+// src/controle/pushes.cpp, program_batch.cpp: many bodies with one formula, to the bits of each alone.
+#include "controle/pushes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "controle/preparation.hpp"
 
 namespace animado::controle {
 namespace {
@@ -39,20 +41,22 @@ std::vector<LiveProgram> programs_of(const Scene& scene) {
 void expect_the_bits_of_each_alone(const std::vector<std::string>& forces) {
   const Scene scene = scene_of(forces);
   const std::vector<LiveProgram> programs = programs_of(scene);
-  std::vector<const LiveProgram*> all;
-  for (const LiveProgram& program : programs) all.push_back(&program);
-  ProgramBatches batches(all);
+  const std::vector<Drive> all = drives(scene, SceneScope(scene));
+  Pushes pushes(all);
   const size_t n = scene.bodies.size();
-  std::vector<double> state = some_state(n);
+  std::vector<double> state = some_state(n), out(6 * n);
   for (const double time_s : {0.25, 0.5}) {
     const Moment moment{state.data(), n, time_s};
-    batches.evaluate(moment);
-    for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(batches.value(i), all[i]->vector(moment)) << i;
+    pushes.evaluate(moment, out.data());
+    for (size_t i = 0; i < programs.size(); ++i) {
+      const size_t body = 1 + i;  // after the sun
+      EXPECT_EQ(Vec3(out[body], out[n + body], out[2 * n + body]), programs[i].vector(moment)) << i;
+    }
     std::ranges::reverse(state);  // nothing of one moment is left in the next
   }
 }
 
-TEST(ProgramBatches, HaveTheBitsOfEachBodyAlone) {
+TEST(Pushes, HaveTheBitsOfEachBodyAlone) {
   for (const char* force :
        {"(0, -9.81*mass, 0) - 0.1*velocity", "-0.3*norm(velocity)*velocity + (sin(t), exp(-t), 0)",
         "cross(angular_velocity, velocity) * orientation.qw",
@@ -63,12 +67,12 @@ TEST(ProgramBatches, HaveTheBitsOfEachBodyAlone) {
   }
 }
 
-TEST(ProgramBatches, TellFormulasApart) {
+TEST(Pushes, TellFormulasApart) {
   expect_the_bits_of_each_alone({"-0.1*velocity", "-0.1*position", "velocity*3", "velocity/3",
                                  "b0.position - position", "(0, 1, 0) - 0.1*velocity", "b1.velocity"});
 }
 
-TEST(ProgramBatches, MoreFormulasThanAreLookedAt) {
+TEST(Pushes, MoreFormulasThanAreLookedAt) {
   std::vector<std::string> forces;
   for (int i = 0; i < 20; ++i) {
     std::string force = "velocity";
