@@ -4,16 +4,9 @@
 #include <vector>
 
 #include "controle/equations_of_motion.hpp"
-#include "controle/live_program.hpp"
+#include "controle/pushes.hpp"
 
 namespace animado::controle {
-
-// One body's forces and torques other than gravity. Repeated lines add up.
-struct Drive {
-  size_t body = 0;
-  std::vector<LiveProgram> forces, torques, local_forces, local_torques;
-  double linear_damping_1_s = 0, angular_damping_1_s = 0;
-};
 
 // The rate at which a drive's expressions do work, and that at which its damping takes energy away.
 struct Power {
@@ -32,7 +25,7 @@ class Forces {
   size_t driven() const { return drives_.size(); }
   size_t body_of(size_t drive) const { return drives_[drive].body; }
 
-  void replace(std::vector<Drive> drives) { drives_ = std::move(drives); }  // after a live edit
+  void replace(std::vector<Drive> drives);  // after a live edit
 
   // Wrenches (6, N): force through the centre of mass and torque about it, world axes. powers: one a drive.
   // Throws Error diverged when an expression is not finite.
@@ -44,10 +37,12 @@ class Forces {
 
  private:
   struct Load {
-    Vec3 force, torque;  // of the expressions, world
-    Vec3 damping_force, damping_torque;
+    Vec3 force, torque;  // world
   };
-  Load load(const Drive& drive, const Moment& moment, const BodyState& body) const;
+  Load damping(const Drive& drive, const BodyState& body) const;
+  Power damp(const Drive& drive, const Moment& moment, double* wrenches) const;
+  void work_rates(const Moment& moment) const;
+  void check_finite(const Moment& moment, const double* wrenches) const;
   [[noreturn]] void refuse(const Body& body, double time_s) const;
   Vec3 center_velocity(size_t body, const BodyState& state) const;
 
@@ -55,6 +50,9 @@ class Forces {
   std::vector<Inertia> inertias_;
   std::vector<double> falling_kg_;  // mass that gravity pulls: none of a body that is not dynamic
   std::vector<Drive> drives_;
+  std::vector<double> centers_m_;  // of mass, (3, N), body frame
+  mutable Pushes expressions_;
+  mutable std::vector<double> pushes_, work_rates_W_;  // theirs: wrenches (6, N), powers (N)
 };
 
 }  // namespace animado::controle

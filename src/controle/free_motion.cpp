@@ -16,6 +16,11 @@ fred::Methods::Method method_named(rpc::Channel& fred, const std::string& name) 
               "It has: " + known + ".");
 }
 
+// Whether the estimate weighs the rates at the end of the step (the last of each row of errors).
+bool reads_end(const fred::Methods::Method& method) {
+  return !method.errors.values.empty() && method.errors.values[static_cast<size_t>(method.stages)] != 0;
+}
+
 egesp::Prepare::Request matrices_of(const EquationsOfMotion& equations, Workspace& workspace) {
   const Lanes matrices = workspace.make("matrices", {6, 6, static_cast<int64_t>(equations.bodies())});
   equations.matrices(matrices.values);
@@ -32,6 +37,7 @@ FreeMotion::FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, co
                        ContactForces* contact_forces)
     : bodies_(equations.bodies()),
       fred_(suite.channel("fred")),
+      tableau_(method_named(fred_, method)),
       workspace_(workspace),
       meter_(meter),
       equations_(equations),
@@ -41,20 +47,18 @@ FreeMotion::FreeMotion(rpc::Suite& suite, Workspace& workspace, Meter& meter, co
       matrices_(suite.channel("egesp"), matrices_of(equations, workspace)),
       wrenches_(6 * bodies_) {
   const auto n = static_cast<int64_t>(bodies_);
-  const auto tableau = method_named(fred_, method);
-  nodes_ = tableau.nodes;
-  weights_ = tableau.weights;
-  powers_.resize(nodes_.size());
-  contact_powers_W_.resize(nodes_.size());
-  order_ = static_cast<int>(tableau.order);
+  const auto derivatives = static_cast<size_t>(tableau_.derivatives);
+  powers_.resize(derivatives);
+  contact_powers_W_.resize(derivatives);
 
   right_sides_ = workspace.make("right_sides", {6, n});
-  rates_ = workspace.make("rates", {tableau.stages, kStateRows, n});
+  rates_ = workspace.make("rates", {tableau_.derivatives, kStateRows, n});
   stage_state_ = make_state("stage");
 
   solve_.right_sides = right_sides_.array;
   solve_.layout = egesp::Layout::lanes;
   stage_.method = method;
+  estimate_reads_end_ = reads_end(tableau_);
   stage_.derivatives = rates_.array;
 }
 
@@ -74,32 +78,91 @@ void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
   equations_.right_sides(state.values, wrenches_.data(), right_sides_.values);
   solve_.out = accelerations(stage);  // in body axes as yet
   meter_.timed("egesp", "solve_prepared", [&] { return matrices_.solve(solve_); });
-  equations_.complete_rates(state.values, rates_.values + stage * kStateRows * bodies_);
+  double* const rates = rates_.values + stage * kStateRows * bodies_;
+  equations_.complete_rates(state.values, rates);
+  kinematics_.hold(rates, bodies_);
 }
 
-void FreeMotion::step(const Lanes& from, double time_s, double step_s, const Lanes& to) {
+// Writes to `out` where the derivative of this number is evaluated.
+void FreeMotion::make_stage(size_t stage, double node, const Lanes& out) {
+  stage_.stage = static_cast<int64_t>(stage);
+  stage_.out = out.array;
+  meter_.timed("fred", "stage", [&] { return fred_.call<fred::Stage>(stage_); });
+  kinematics_.place(out.values, bodies_, time_s_ + node * step_s_);
+}
+
+void FreeMotion::start(const Lanes& from, double time_s) {
   stage_.state = from.array;
-  stage_.step = step_s;
-  step_s_ = step_s;
-  const size_t stages = nodes_.size();
-  for (size_t s = 0; s < stages; ++s) {
-    rates(s == 0 ? from : stage_state_, time_s + nodes_[s] * step_s, s);
-    const bool last = s + 1 == stages;
-    const Lanes& next = last ? to : stage_state_;
-    stage_.stage = static_cast<int64_t>(s + 1);
-    stage_.out = next.array;
-    meter_.timed("fred", "stage", [&] { return fred_.call<fred::Stage>(stage_); });
-    kinematics_.place(next.values, bodies_, time_s + (last ? step_s : nodes_[s + 1] * step_s));
+  time_s_ = time_s;
+  rates(from, time_s, 0);
+}
+
+void FreeMotion::go(double step_s, const Lanes& to) {
+  stage_.step = step_s_ = step_s;
+  end_ = to;
+  knows_end_ = knows_dense_ = false;
+  for (size_t s = 1; s < stages(); ++s) {
+    make_stage(s, tableau_.nodes[s], stage_state_);
+    rates(stage_state_, time_s_ + tableau_.nodes[s] * step_s, s);
   }
+  make_stage(stages(), 1, to);
   normalize(to.values);
+}
+
+void FreeMotion::end_rates() {
+  if (!knows_end_) rates(end_, time_s_ + step_s_, stages());
+  knows_end_ = true;
+}
+
+bool FreeMotion::start_at_end(const Lanes& from, double time_s) {
+  if (!knows_end_) return false;
+  const size_t size = kStateRows * bodies_;
+  std::copy_n(rates_.values + stages() * size, size, rates_.values);
+  powers_[0] = powers_[stages()];
+  contact_powers_W_[0] = contact_powers_W_[stages()];
+  stage_.state = from.array;
+  time_s_ = time_s;
+  return true;
+}
+
+fred::Estimate::Reply FreeMotion::estimate(fred::Estimate::Request request) {
+  if (estimate_reads_end_) end_rates();
+  request.method = stage_.method;
+  request.step = step_s_;
+  request.state = stage_.state;
+  request.end = end_.array;
+  request.derivatives = rates_.array;
+  request.columns = true;
+  return meter_.timed("fred", "estimate", [&] { return fred_.call<fred::Estimate>(request); });
+}
+
+void FreeMotion::dense(double theta, const Lanes& out) {
+  end_rates();
+  for (size_t extra = 0; extra < tableau_.extra_nodes.size() && !knows_dense_; ++extra) {
+    const double node = tableau_.extra_nodes[extra];
+    make_stage(stages() + 1 + extra, node, stage_state_);
+    rates(stage_state_, time_s_ + node * step_s_, stages() + 1 + extra);
+  }
+  knows_dense_ = true;
+  fred::Dense::Request request;
+  request.method = stage_.method;
+  request.step = step_s_;
+  request.theta = theta;
+  request.state = stage_.state;
+  request.end = end_.array;
+  request.derivatives = rates_.array;
+  request.out = out.array;
+  meter_.timed("fred", "dense", [&] { return fred_.call<fred::Dense>(request); });
+  kinematics_.place(out.values, bodies_, time_s_ + theta * step_s_);
+  normalize(out.values);
 }
 
 std::vector<Work> FreeMotion::work() const {
   std::vector<Work> sum(forces_.driven());
-  for (size_t s = 0; s < nodes_.size(); ++s) {
+  for (size_t s = 0; s < stages(); ++s) {
     for (size_t d = 0; d < sum.size(); ++d) {
-      sum[d].done_J += step_s_ * weights_[s] * powers_[s][d].work_W;
-      sum[d].damped_J += step_s_ * weights_[s] * powers_[s][d].damping_W;
+      sum[d].done_J += step_s_ * tableau_.weights[s] * powers_[s][d].work_W;
+      sum[d].damped_J += step_s_ * tableau_.weights[s] * powers_[s][d].damping_W;
     }
   }
   return sum;
@@ -107,7 +170,7 @@ std::vector<Work> FreeMotion::work() const {
 
 double FreeMotion::contact_work_J() const {
   double sum = 0;
-  for (size_t s = 0; s < nodes_.size(); ++s) sum += step_s_ * weights_[s] * contact_powers_W_[s];
+  for (size_t s = 0; s < stages(); ++s) sum += step_s_ * tableau_.weights[s] * contact_powers_W_[s];
   return sum;
 }
 

@@ -65,4 +65,10 @@ void Kinematics::place(double* state, size_t bodies, double time_s) const {
   }
 }
 
+void Kinematics::hold(double* rates, size_t bodies) const {
+  for (const Path& path : paths_) {
+    for (size_t row = 0; row < kStateRows; ++row) rates[row * bodies + path.body] = 0;
+  }
+}
+
 }  // namespace animado::controle

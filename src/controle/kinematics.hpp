@@ -27,6 +27,9 @@ class Kinematics {
   // Puts the pose and velocity of every kinematic body at the given time into the state.
   void place(double* state, size_t bodies, double time_s) const;
 
+  // No rates for what is placed: no integration error either.
+  void hold(double* rates, size_t bodies) const;
+
  private:
   std::vector<Path> paths_;
 };

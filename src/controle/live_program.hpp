@@ -23,6 +23,9 @@ class LiveProgram {
   // columns of the state. Throws Error with file:line:column.
   LiveProgram(const SceneScope& scope, const Expression& expression);
 
+  const interexpserv::Program& program() const { return program_; }
+  const std::vector<Reading>& readings() const { return readings_; }  // of its inputs
+
   Vec3 vector(const Moment& moment) const;
   // The value and its rate of change, by dual numbers: positions change with velocities, orientations with
   // angular velocities; velocities count as constant.

@@ -40,6 +40,7 @@ void Simulation::edit(Scene edited) {
   scene_ = std::move(edited);
   forces_.replace(std::move(new_drives));
   kinematics_.replace(std::move(new_paths));
+  stepper_.forget_rates();
 }
 
 }  // namespace animado::controle

@@ -19,20 +19,7 @@ constexpr int64_t kHeapContacts = 64;
 constexpr double kContactStep_s = 1.0 / 240;
 constexpr double kContactSubstep_s = 1.0 / 480;
 
-// An impact is located where the surfaces are this near: far under what any table shows, far over the
-// rounding of metres.
-constexpr double kMeetingGap_m = 1e-11;
-constexpr int kMostRefinements = 3;
-
-// Pairs nearer than this are said to be in contact; wider than what the contact solver leaves, so that rest
-// does not flicker.
-constexpr double kContactMargin_m = 1e-5;
-
 constexpr double kSpeedOfLight_m_s = 299792458;  // what is faster has diverged
-
-Vec3 vec3(const std::vector<double>& v) {
-  return {v[0], v[1], v[2]};
-}
 
 }  // namespace
 
@@ -44,14 +31,20 @@ Stepper::Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMoti
       forces_(forces),
       colisao_(colisao),
       meter_(meter),
-      report_(std::move(report)),
-      step_size_(motion, scene.bodies.size(), scene.world.substep_s, scene.world.tolerance),
+      events_(scene, colisao, meter, std::move(report)),
+      search_(motion, colisao, meter, scene.bodies.size(), scene.world.tolerance.value_or(kStepTolerance)),
       bodies_(scene.bodies.size()),
       collides_(scene.bodies.size() > 1 && scene.world.response != Response::spring),
       time_s_(scene.time.start_s),
       now_(motion.make_state("state_a")),
       next_(motion.make_state("state_b")),
       free_(motion.make_state("state_free")) {
+  const World& world = scene.world;
+  if (motion.is_embedded() && !world.substep_s) {
+    embedded_steps_.emplace(motion, world.tolerance.value_or(kStepTolerance));
+  } else {
+    step_size_.emplace(motion, bodies_, world.substep_s, world.tolerance);
+  }
   for (size_t i = 0; i < bodies_; ++i) {
     const Body& body = scene.bodies[i];
     BodyState state;
@@ -65,63 +58,94 @@ Stepper::Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMoti
 
 void Stepper::advance_to(double end_s) {
   if (near_) respond();
-  // An impact may change how fast things turn, so the steps are chosen again after each one.
   while (time_s_ < end_s) {
     const double rest_s = end_s - time_s_;
     const double most_s = in_contact_ ? kContactStep_s : rest_s;
-    const size_t steps = step_size_.steps(now_, time_s_, rest_s, most_s);
-    const int64_t impacts = counts_.impacts;
-    const bool was_in_contact = in_contact_;
-    for (size_t k = 0; k < steps; ++k) {
-      // From the end, so that rounding does not gather and the last step ends where the frame does.
-      const double to_s =
-          k + 1 == steps ? end_s
-                         : end_s - rest_s * static_cast<double>(steps - 1 - k) / static_cast<double>(steps);
-      step(to_s);
-      if (counts_.impacts != impacts || in_contact_ != was_in_contact) break;
+    if (step_size_) {
+      equal_steps(end_s, step_size_->steps(now_, time_s_, rest_s, most_s));
+    } else {
+      const double step_s = embedded_steps_->proposed_s(rest_s, most_s);
+      step(step_s < rest_s ? time_s_ + step_s : end_s);
     }
   }
 }
 
-// One step: events one after the other until its end.
+// An impact may change how fast things turn, so the steps are chosen again after each one.
+void Stepper::equal_steps(double end_s, size_t steps) {
+  const double rest_s = end_s - time_s_;
+  const int64_t impacts = counts_.impacts;
+  const bool was_in_contact = in_contact_;
+  for (size_t k = 0; k < steps; ++k) {
+    // From the end, so that rounding does not gather and the last step ends where the frame does.
+    const double to_s =
+        k + 1 == steps ? end_s
+                       : end_s - rest_s * static_cast<double>(steps - 1 - k) / static_cast<double>(steps);
+    step(to_s);
+    if (counts_.impacts != impacts || in_contact_ != was_in_contact) break;
+  }
+}
+
+// One step: events one after the other until its end, or until where the method's error lets it end.
 void Stepper::step(double end_s) {
   ++counts_.steps;
   for (int events = 0; time_s_ < end_s; ++events) {
     const double rest_s = end_s - time_s_;
     const bool crowded = events >= kMostEventsAStep || contacts_ > kHeapContacts;
-    move(rest_s, crowded);
+    const double step_s = move(rest_s, crowded);
+    const double to_s = step_s < rest_s ? time_s_ + step_s : end_s;
     if (!collides_ || crowded) {
       near_ = collides_;
       counts_.crowded_steps += crowded ? 1 : 0;
-      return accept(end_s);
+      return accept(to_s);
     }
-    const auto hit = sweep(rest_s);
+    const auto hit = sweep(step_s);
     near_ = hit.near || hit.hit;
-    if (!hit.hit) return accept(end_s);
-    const double at_s = move_to_impact(rest_s, hit);
-    accept(std::min(end_s, time_s_ + at_s));
+    if (!hit.hit) return accept(to_s);
+    const double at_s = move_to_impact(step_s, hit);
+    accept(std::min(to_s, time_s_ + at_s));
     respond();
   }
 }
 
+// What islands did to each other is of first order, and not in the method's dense output.
 colisao::Sweep::Reply Stepper::sweep(double step_s) {
-  colisao::Sweep::Request request;
-  request.from = now_.array;
-  request.to = next_.array;
-  request.step_s = step_s;
-  return meter_.timed("colisao", "sweep", [&] { return colisao_.sweep(request); });
+  const bool dense = motion_.has_dense_output() && pending_.moved.empty();
+  return dense ? search_.on_dense(now_, next_, step_s) : search_.on_cubic(now_, next_, step_s);
 }
 
-// now → next, as if nothing met on the way that does not touch now.
-void Stepper::move(double step_s, bool crowded) {
-  pending_ = {};
-  if (!near_ || !collides_) {
-    motion_.step(now_, time_s_, step_s, next_);
-    work_ = motion_.work();
-    return;
+// now → next, as if nothing met on the way that does not touch now. An embedded method may go less far than
+// step_s; returns how far.
+double Stepper::move(double step_s, bool crowded) {
+  const Lanes& to = touches() ? free_ : next_;
+  if (embedded_steps_) {
+    step_s = embedded_steps_->step(now_, time_s_, step_s, to);
+  } else {
+    motion_.step(now_, time_s_, step_s, to);
   }
-  motion_.step(now_, time_s_, step_s, free_);
+  touch(step_s, crowded);
+  return step_s;
+}
+
+// Brings everything to the time at which the pair meets, and returns that time. The gap that is left there is
+// closed by its own speed: where the sweep's path is of lower order than the method, it is not nothing.
+double Stepper::move_to_impact(double step_s, const colisao::Sweep::Reply& hit) {
+  return search_.close_gap(hit, step_s, [&](double at_s) -> const Lanes& {
+    const Lanes& to = touches() ? free_ : next_;
+    if (embedded_steps_) {
+      embedded_steps_->repeat(at_s, to);
+    } else {
+      motion_.step(now_, time_s_, at_s, to);
+    }
+    touch(at_s, false);
+    return next_;
+  });
+}
+
+// What the bodies that touch make of the free motion.
+void Stepper::touch(double step_s, bool crowded) {
+  pending_ = {};
   work_ = motion_.work();
+  if (!touches()) return;
   colisao::Advance::Request request;
   request.state = now_.array;
   request.free = free_.array;
@@ -149,34 +173,6 @@ void Stepper::correct_work() {
   }
 }
 
-// Brings everything to the time at which the pair meets, and returns that time. The dense output is of lower
-// order than the method, so the gap that is left is closed by its own speed.
-double Stepper::move_to_impact(double step_s, const colisao::Sweep::Reply& hit) {
-  double at_s = hit.time_s;
-  for (int refinement = 0;; ++refinement) {
-    move(at_s, false);
-    if (refinement == kMostRefinements) return at_s;
-    const auto meeting = nearest_contact(hit.a, hit.b);
-    if (!meeting || std::abs(meeting->gap_m) < kMeetingGap_m || meeting->approach_m_s <= 0) return at_s;
-    const double corrected_s = at_s + meeting->gap_m / meeting->approach_m_s;
-    if (corrected_s <= 0 || corrected_s > step_s || corrected_s == at_s) return at_s;
-    at_s = corrected_s;
-  }
-}
-
-std::optional<colisao::ContactRecord> Stepper::nearest_contact(int64_t a, int64_t b) {
-  colisao::Contacts::Request request;
-  request.state = next_.array;
-  request.margin_m = 1e-4;
-  const auto reply = meter_.timed("colisao", "contacts", [&] { return colisao_.contacts(request); });
-  std::optional<colisao::ContactRecord> nearest;
-  for (const auto& contact : reply.contacts) {
-    if (contact.a != a || contact.b != b) continue;
-    if (!nearest || contact.gap_m < nearest->gap_m) nearest = contact;
-  }
-  return nearest;
-}
-
 template <class Reply>
 void Stepper::book(const Reply& reply) {
   flows_.work_in_J += reply.kinematic_work_J;
@@ -187,6 +183,7 @@ void Stepper::book(const Reply& reply) {
 // next becomes now.
 void Stepper::accept(double end_s) {
   record(pending_.impacts);
+  if (embedded_steps_) embedded_steps_->goes_on(pending_.moved.empty());
   book(pending_);
   for (const Work& work : work_) {
     flows_.work_in_J += work.done_J;
@@ -198,7 +195,7 @@ void Stepper::accept(double end_s) {
   std::swap(now_, next_);
   time_s_ = end_s;
   check_finite();
-  if (in_contact_ || !touching_.empty()) follow_contacts();
+  if (in_contact_ || events_.any_touching()) events_.follow(now_, time_s_);
 }
 
 void Stepper::respond() {
@@ -213,54 +210,16 @@ void Stepper::respond() {
   record(reply.impacts);
   book(reply);
   std::swap(now_, next_);
+  forget_rates();
+}
+
+void Stepper::forget_rates() {
+  if (embedded_steps_) embedded_steps_->goes_on(false);
 }
 
 void Stepper::record(const std::vector<colisao::ImpactRecord>& impacts) {
-  for (const colisao::ImpactRecord& impact : impacts) {
-    Event event;
-    event.time_s = time_s_ + impact.time_s;
-    event.kind = EventKind::impact;
-    event.bodies = names(impact.a, impact.b);
-    event.point_m = vec3(impact.point_m);
-    event.normal = vec3(impact.normal);
-    event.impulse_N_s = vec3(impact.impulse_N_s);
-    event.approach_m_s = impact.approach_m_s;
-    event.separation_m_s = impact.separation_m_s;
-    report_(event);
-  }
+  events_.record(impacts, time_s_);
   counts_.impacts += static_cast<int64_t>(impacts.size());
-}
-
-// Says which pairs came to rest on each other, and which parted.
-void Stepper::follow_contacts() {
-  colisao::Contacts::Request request;
-  request.state = now_.array;
-  request.margin_m = kContactMargin_m;
-  const auto reply = meter_.timed("colisao", "contacts", [&] { return colisao_.contacts(request); });
-  std::map<Pair, const colisao::ContactRecord*> found;
-  for (const auto& contact : reply.contacts) {
-    if (std::abs(contact.approach_m_s) < scene_.world.contact_threshold_m_s)
-      found.emplace(Pair{contact.a, contact.b}, &contact);
-  }
-  std::set<Pair> touching;
-  for (const auto& [pair, contact] : found) {
-    touching.insert(pair);
-    if (touching_.contains(pair)) continue;
-    Event event{time_s_, EventKind::contact_begin, names(pair.first, pair.second), {}, {}, {}, {}, {}, {},
-                {}};
-    event.point_m = vec3(contact->point_m);
-    event.normal = vec3(contact->normal);
-    report_(event);
-  }
-  for (const Pair& pair : touching_) {
-    if (touching.contains(pair)) continue;
-    report_({time_s_, EventKind::contact_end, names(pair.first, pair.second), {}, {}, {}, {}, {}, {}, {}});
-  }
-  touching_ = std::move(touching);
-}
-
-std::vector<std::string> Stepper::names(int64_t a, int64_t b) const {
-  return {scene_.bodies[static_cast<size_t>(a)].name, scene_.bodies[static_cast<size_t>(b)].name};
 }
 
 void Stepper::check_finite() const {

@@ -7,14 +7,15 @@
 // colisao takes the impacts inside the islands too.
 #pragma once
 
-#include <functional>
-#include <set>
+#include <optional>
 
 #include "base/state.hpp"
 #include "colisao/client.hpp"
+#include "controle/contact_events.hpp"
 #include "controle/contact_forces.hpp"
+#include "controle/embedded_steps.hpp"
 #include "controle/free_motion.hpp"
-#include "controle/results/events_jsonl.hpp"
+#include "controle/impact_search.hpp"
 #include "controle/results/ledger.hpp"
 #include "controle/scene/scene.hpp"
 #include "controle/step_size.hpp"
@@ -27,13 +28,16 @@ struct Counts {
 
 class Stepper {
  public:
-  using Report = std::function<void(const Event&)>;
+  using Report = ContactEvents::Report;
 
   Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMotion& motion, const Forces& forces,
           colisao::Client& colisao, Meter& meter, Report report);
 
   // Moves the state to the next frame.
   void advance_to(double end_s);
+
+  // The forces have changed, so that what they were at the end of the last step is not what they are now.
+  void forget_rates();
 
   double time_s() const { return time_s_; }
   const double* state() const { return now_.values; }
@@ -44,23 +48,20 @@ class Stepper {
   const EnergyLedger& flows() const { return flows_; }
 
  private:
-  using Pair = std::pair<int64_t, int64_t>;
-
+  bool touches() const { return near_ && collides_; }
+  void equal_steps(double end_s, size_t steps);
   void step(double end_s);
-  void move(double step_s, bool crowded);
+  double move(double step_s, bool crowded);
+  double move_to_impact(double step_s, const colisao::Sweep::Reply& hit);
+  void touch(double step_s, bool crowded);
   void correct_work();
   colisao::Sweep::Reply sweep(double step_s);
-  double move_to_impact(double step_s, const colisao::Sweep::Reply& hit);
-  std::optional<colisao::ContactRecord> nearest_contact(int64_t a, int64_t b);
   void accept(double end_s);
   template <class Reply>
   void book(const Reply& reply);  // what contacts did to the energy
   void respond();
   void record(const std::vector<colisao::ImpactRecord>& impacts);
-  void follow_contacts();
   void check_finite() const;
-
-  std::vector<std::string> names(int64_t a, int64_t b) const;
 
   const Scene& scene_;
   std::span<const Inertia> inertias_;
@@ -68,8 +69,10 @@ class Stepper {
   const Forces& forces_;
   colisao::Client& colisao_;
   Meter& meter_;
-  Report report_;
-  StepSize step_size_;
+  ContactEvents events_;
+  ImpactSearch search_;
+  std::optional<StepSize> step_size_;            // equal steps, or
+  std::optional<EmbeddedSteps> embedded_steps_;  // each as long as the method's own error lets it be
   size_t bodies_;
   bool collides_;  // impacts and contacts are answered (response spring answers by forces)
   double time_s_;
@@ -80,7 +83,6 @@ class Stepper {
   bool near_ = true;         // bodies are so near that contact is worth asking about
   bool in_contact_ = false;  // the last move had islands in contact
   int64_t contacts_ = 0;     // their contact points
-  std::set<Pair> touching_;
   Counts counts_;
   EnergyLedger flows_;
 };

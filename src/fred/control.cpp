@@ -16,7 +16,6 @@ constexpr double kMostGrowth = 8;  // an error that happens to vanish says nothi
 // Share of the memory in the exponent. Larger damps the sizes of steps at the edge of stability, and takes
 // more of them elsewhere; Hairer's codes use 0.04 · 5.
 constexpr double kMemory = 0.2;
-constexpr double kLeastError = 1e-4;  // kept of a step that was far too good
 
 constexpr double kTinyError = 1e-10, kHugeError = 1e30;  // what lies beyond is not told apart
 

@@ -21,17 +21,19 @@ struct Tolerance {
   }
 };
 
+constexpr double kLeastError = 1e-4;  // remembered of a step that was far too good
+
 // Chooses the next step from the errors of the last two, the shorter of what two rules allow: PI control of
 // Gustafsson, in the form of Hairer, Nørsett, Wanner, Solving ODE I (1993), II.4, and II (1996), IV.2; and
 // his prediction that the error's constant goes on to grow as it did over the last step (the same, IV.8.25),
 // which sees a close approach coming, where nearly every refused try is spared.
 class StepControl {
  public:
-  struct Memory {          // what a checkpoint keeps
-    double step = 0;       // the next one, signed
-    double error = 1e-4;   // of the last step that was accepted
-    double taken = 0;      // its length; 0 where there was none: nothing is predicted
-    bool refused = false;  // the last try was refused
+  struct Memory {                // what a checkpoint keeps
+    double step = 0;             // the next one, signed
+    double error = kLeastError;  // of the last step that was accepted
+    double taken = 0;            // its length; 0 where there was none: nothing is predicted
+    bool refused = false;        // the last try was refused
   };
 
   explicit StepControl(int error_order);

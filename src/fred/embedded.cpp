@@ -36,9 +36,41 @@ double error_of(std::span<const double> squares, double step, size_t n) {
   return both == 0 ? 0 : h * squares[0] / std::sqrt(count * both);
 }
 
+namespace {
+
+// NaN where a system's is.
+double worst_error(const Tableau& method, std::span<const double> state, std::span<const double> end,
+                   std::span<const double> derivatives, double step, const Tolerance& tolerance,
+                   size_t systems) {
+  const size_t read = method.stages() + (method.error_reads_end() ? 1 : 0);
+  const size_t estimates = method.errors.size();
+  const std::vector<double> zeros(state.size());
+  std::vector<double> error(state.size()), squares(systems * estimates);
+  for (size_t e = 0; e < estimates; ++e) {
+    combine(zeros, derivatives, std::span(method.errors[e]).first(read), 1, error);
+    for (size_t i = 0, system = 0; i < state.size(); ++i) {
+      const double scaled = error[i] / tolerance.scale(i, std::max(std::abs(state[i]), std::abs(end[i])));
+      squares[system * estimates + e] += scaled * scaled;
+      if (++system == systems) system = 0;
+    }
+  }
+  double worst = 0;
+  for (size_t system = 0; system < systems; ++system) {
+    const double of_system =
+        error_of(std::span(squares).subspan(system * estimates, estimates), step, state.size() / systems);
+    if (!(of_system <= worst)) worst = of_system;
+    if (std::isnan(worst)) break;
+  }
+  return worst;
+}
+
+}  // namespace
+
 double step_error(const Tableau& method, std::span<const double> state, std::span<const double> end,
-                  std::span<const double> derivatives, double step, const Tolerance& tolerance) {
-  assert(method.is_adaptive() && state.size() == end.size());
+                  std::span<const double> derivatives, double step, const Tolerance& tolerance,
+                  size_t systems) {
+  assert(method.is_adaptive() && state.size() == end.size() && state.size() % systems == 0);
+  if (systems > 1) return worst_error(method, state, end, derivatives, step, tolerance, systems);
   const auto squares = StateSums(state.size())
                            .square_errors(state.data(), end.data(), rows_of(derivatives, state.size()).data(),
                                           error_sums(method), tolerance);

@@ -26,9 +26,11 @@ std::vector<Sum> error_sums(const Tableau& method);
 double error_of(std::span<const double> squares, double step, size_t n);
 
 // The same for a step that the caller made. derivatives: one after the other, each the size of state, as many
-// as the method's estimates read.
+// as the method's estimates read. systems: element i belongs to system i mod `systems`, and the error is that
+// of the worst of them.
 double step_error(const Tableau& method, std::span<const double> state, std::span<const double> end,
-                  std::span<const double> derivatives, double step, const Tolerance& tolerance);
+                  std::span<const double> derivatives, double step, const Tolerance& tolerance,
+                  size_t systems = 1);
 
 // derivatives: all of the method's.
 void dense_output(const Tableau& method, std::span<const double> state, std::span<const double> end,

@@ -100,6 +100,7 @@ struct Estimate {
   struct Request {
     std::string method;
     double step = 0, last_error = 1e-4, last_step = 0;
+    bool last_refused = false, columns = false;
     Array state, end, derivatives;
     std::vector<double> absolute_tolerance, relative_tolerance;
     template <class Self, class F>
@@ -114,8 +115,16 @@ struct Estimate {
       field("absolute_tolerance", s.absolute_tolerance,
             "> 0: one number, or one of each element of the state");
       field("relative_tolerance", s.relative_tolerance, "≥ 0, likewise");
-      field("last_error", s.last_error, "of the step before, for PI control", rpc::kDefault);
+      field("last_error", s.last_error, "of the step that was accepted before, for PI control",
+            rpc::kDefault);
       field("last_step", s.last_step, "its h, for prediction; 0 where there was none", rpc::kDefault);
+      field("last_refused", s.last_refused,
+            "whether the try before this one was refused: the next step then does not grow", rpc::kDefault);
+      field(
+          "columns", s.columns,
+          "whether each index of the state's last axis is a system of its own, as a body: the error is that "
+          "of the worst of them, not the mean over all",
+          rpc::kDefault);
     }
   };
   struct Reply {

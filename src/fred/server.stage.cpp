@@ -91,11 +91,15 @@ Estimate::Reply estimate(const Estimate::Request& request, rpc::Call& call) {
   const auto state = call.read(request.state), end = call.read(request.end);
   const Tolerance tolerance =
       checked_tolerance(request.absolute_tolerance, request.relative_tolerance, state.size());
+  const size_t systems = request.columns && !request.state.shape.empty() && !state.empty()
+                             ? static_cast<size_t>(request.state.shape.back())
+                             : 1;
   const double error =
-      step_error(method, state, end, call.read(request.derivatives), request.step, tolerance);
+      step_error(method, state, end, call.read(request.derivatives), request.step, tolerance, systems);
   StepControl control(method.error_order);
-  control.memory().error = std::max(request.last_error, std::numeric_limits<double>::min());
+  control.memory().error = std::max(request.last_error, kLeastError);
   control.memory().taken = request.last_step;
+  control.memory().refused = request.last_refused;
   control.accept(error, request.step);
   return {std::isfinite(error) ? error : std::numeric_limits<double>::max(), control.memory().step};
 }

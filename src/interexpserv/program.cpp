@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
 #include "interexpserv/elementary.hpp"
 
@@ -39,18 +38,26 @@ void Program::evaluate_steps(const double* inputs, double* out) const noexcept {
   steps_[0].run(0, steps_.data(), frame);
 }
 
-bool Program::same_code(const Program& other) const {
+bool Program::same_form(const Program& other) const {
   const CompiledCode &a = code_, &b = other.code_;
-  const auto same_bytes = [](const auto& u, const auto& v) {
-    return u.size() == v.size() && std::memcmp(u.data(), v.data(), u.size() * sizeof(u[0])) == 0;
-  };
   const auto same = [](const Instruction& u, const Instruction& v) {
     return u.op == v.op && u.out == v.out && u.a == v.a && u.b == v.b && u.c == v.c;
   };
   return a.input_count == b.input_count && !a.tables && !b.tables && a.result.type == b.result.type &&
-         a.result.at == b.result.at && same_bytes(a.constants, b.constants) &&
+         a.result.at == b.result.at && a.constants.size() == b.constants.size() &&
          std::equal(a.instructions.begin(), a.instructions.end(), b.instructions.begin(),
                     b.instructions.end(), same);
+}
+
+Program Program::with_open_constants() const {
+  CompiledCode open = code_;
+  std::vector<Input> inputs;
+  for (size_t k = 0; k < code_.constants.size(); ++k) inputs.push_back({fmt::format("constant {}", k)});
+  open.inputs.insert(open.inputs.begin(), inputs.begin(), inputs.end());
+  open.input_count +=
+      open.constants.size();  // registers stay what they are: constants come first, then inputs
+  open.constants.clear();
+  return {text_, std::move(open)};
 }
 
 }  // namespace animado::interexpserv

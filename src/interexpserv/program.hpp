@@ -59,8 +59,11 @@ class Program {
   void evaluate_with_rate(const double* inputs, const double* input_rates, double* out,
                           double* out_rate) const noexcept;
 
-  // Whether both compute the same from the same number of inputs, whatever those are called.
-  bool same_code(const Program& other) const;
+  // Whether both do the same to as many inputs and constants, whatever those are. Never so with tables.
+  bool same_form(const Program& other) const;
+  const std::vector<double>& constants() const { return code_.constants; }
+  // This program with its constants as inputs, before the others: one for all of the same form.
+  Program with_open_constants() const;
 
  private:
   void evaluate_single(const double* inputs, double* out) const noexcept;

@@ -212,6 +212,42 @@ TEST(FredServer, EstimatesSeeAGrowingErrorComing) {
   EXPECT_LT(ask<Estimate>(service(), request).next_step, 0.7 * unknown.next_step);
 }
 
+// bs23's estimate is h Σ e[j] k[j], here of one derivative only.
+Estimate::Request bs23_step(std::vector<int64_t> shape, const std::vector<double>& rates) {
+  Estimate::Request request;
+  request.method = "bs23";
+  request.step = 0.1;
+  request.state = request.end = Array::inlined(shape, std::vector<double>(rates.size(), 1.0));
+  std::vector<double> derivatives(4 * rates.size());
+  std::ranges::copy(rates, derivatives.begin());
+  shape.insert(shape.begin(), 4);
+  request.derivatives = Array::inlined(shape, derivatives);
+  request.absolute_tolerance = request.relative_tolerance = {1e-3};
+  return request;
+}
+
+TEST(FredServer, EstimatesTheErrorOfTheWorstColumn) {
+  const double alone = ask<Estimate>(service(), bs23_step({2}, {1, 2})).error;
+  Estimate::Request three = bs23_step({2, 3}, {0.5, 1, 0, 0, 2, 0});
+  EXPECT_LT(ask<Estimate>(service(), three).error, alone);
+  three.columns = true;
+  EXPECT_EQ(ask<Estimate>(service(), three).error, alone);
+}
+
+TEST(FredServer, AStepDoesNotGrowRightAfterARefusal) {
+  Estimate::Request request = bs23_step({1}, {1e-6});
+  EXPECT_GT(ask<Estimate>(service(), request).next_step, 2 * request.step);
+  request.last_refused = true;
+  EXPECT_EQ(ask<Estimate>(service(), request).next_step, request.step);
+}
+
+// As `integrate` does, whose control remembers no error smaller than 1e-4.
+TEST(FredServer, AStepWithoutErrorDoesNotShortenTheNext) {
+  Estimate::Request request = bs23_step({1}, {0});
+  request.last_error = 0;
+  EXPECT_GT(ask<Estimate>(service(), request).next_step, 2 * request.step);
+}
+
 TEST(FredServer, RefusesEstimatesThatMakeNoSense) {
   Estimate::Request good;
   good.method = "dopri5";

@@ -102,7 +102,14 @@ class Supervision : public testing::Test {
   TemporaryDirectory directory_;
 };
 
-TEST_F(Supervision, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
+// With equal steps of rk4, and with steps of a method that knows its error and has a dense output.
+class Restarts : public Supervision, public testing::WithParamInterface<const char*> {};
+
+TEST_P(Restarts, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
+  std::string scene = kScene;
+  const std::string_view steps = "substep 0.002";
+  scene.replace(scene.find(steps), steps.size(), GetParam());
+  write_text(directory_ / "scene.animado", scene);
   const Words words = {"run", "scene.animado", "--run", kRun};
   ASSERT_EQ(Command(directory_, words).finish().code, 0);
   const Json undisturbed = summary();
@@ -121,6 +128,9 @@ TEST_F(Supervision, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
     EXPECT_THAT(restarts(), testing::ElementsAre(testing::Pair(service, 1)));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(, Restarts, testing::Values("substep 0.002", "method dop853\ntolerance 1e-12"),
+                         [](const auto& tested) { return tested.index == 0 ? "rk4" : "dop853"; });
 
 // The names come back from their file, the others register again, and nobody asks for an array that is lost.
 TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBit) {

@@ -12,6 +12,20 @@ namespace {
 constexpr std::array<std::string_view, 12> kMethods = {"rk4",        "gill",      "rk38",   "heun3",
                                                        "midpoint",   "heun",      "euler",  "bs23",
                                                        "fehlberg45", "cash_karp", "dopri5", "dop853"};
+// Methods of fred that cannot move rigid bodies: why, and what to use instead.
+struct Unfit {
+  std::string_view name, reason, remedy;
+};
+constexpr std::string_view kNotSeparable =
+    "is for separable systems: bodies that turn are none, nor are forces that depend on velocities";
+constexpr std::string_view kForLongTimes = "use dop853, which keeps the energy to its `tolerance`";
+constexpr std::array<Unfit, 3> kUnfit = {
+    {{"symplectic_euler", kNotSeparable, kForLongTimes},
+     {"verlet", kNotSeparable, kForLongTimes},
+     {"radau5",
+      "is implicit: it needs the derivatives of all forces by the state, which contacts do not have",
+      "use dopri5 with a `tolerance`, which takes steps as short as a stiff force needs"}}};
+
 constexpr double kMaxFrames = 1e7;  // ten gigabytes of states.csv for one body: surely a slip in `step`
 
 struct Reader {
@@ -72,6 +86,16 @@ std::array<Word, kMethods.size()> methods() {
   return words;
 }
 
+std::string read_method(const Reader& reader, const Entry& entry) {
+  const std::string folded = fold(entry.value.text);
+  for (const Unfit& method : kUnfit) {
+    if (method.name != folded) continue;
+    reader.fail(entry.value.place, Code::refused, fmt::format("`{}` {}", method.name, method.reason),
+                std::string(method.remedy));
+  }
+  return std::string(kMethods[reader.choice(entry, methods())]);
+}
+
 void read_springs(const Reader& reader, World& world) {
   const Section& section = reader.section;
   if (const Entry* entry = section.find("spring k")) world.spring_stiffness_N_m = reader.positive(*entry);
@@ -104,7 +128,7 @@ World read_world(const Outline& outline, const Constants& constants) {
   World world;
   world.places = reader.places();
   if (const Entry* entry = section.find("gravity")) world.gravity_m_s2 = constants.vector(entry->value);
-  if (const Entry* entry = section.find("method")) world.method = kMethods[reader.choice(*entry, methods())];
+  if (const Entry* entry = section.find("method")) world.method = read_method(reader, *entry);
   if (const Entry* entry = section.find("substep")) world.substep_s = reader.positive(*entry);
   if (const Entry* entry = section.find("tolerance")) world.tolerance = reader.positive(*entry);
   if (const Entry* entry = section.find("response"))

@@ -161,7 +161,7 @@ const std::vector<Property>& table() {
        {"subpasso"},
        "s, > 0, the largest step inside a frame",
        "chosen by controle"},
-      {"tolerance", kWorld, kNumber, {"tolerancia"}, "> 0, of an adaptive method", "chosen by controle"},
+      {"tolerance", kWorld, kNumber, {"tolerancia"}, "> 0, of the error of a step", "chosen by controle"},
       {"response", kWorld, kNone, {"resposta"}, "`impulse`, `system15` or `spring`", "`impulse`"},
       {"spring k", kWorld, kStiffness, {"k da mola"}, "N/m, > 0, for `response spring`", ""},
       {"spring damping",

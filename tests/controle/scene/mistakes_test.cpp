@@ -200,6 +200,9 @@ const std::vector<Mistake> kMistakes = {
 
     // world and time
     {"UnknownMethod", world(" method rk5"), Code::unknown_name, "2:9", "unknown method `rk5`", "`rk4`"},
+    {"SymplecticMethod", world(" method Verlet"), Code::refused, "2:9", "`verlet` is for separable systems",
+     "use dop853"},
+    {"ImplicitMethod", world(" method radau5"), Code::refused, "2:9", "`radau5` is implicit", "use dopri5"},
     {"UnknownResponse", world(" response impulze"), Code::unknown_name, "2:11", "unknown response `impulze`",
      "`impulse`"},
     {"UnknownRule", world(" restitution rule average"), Code::unknown_name, "2:19",

@@ -7,7 +7,7 @@
 #include "controle/mass/mass_properties.hpp"
 #include "controle/scene/read_world.hpp"
 #include "controle/scene/scene.hpp"
-#include "fred/tableau.hpp"
+#include "fred/methods.hpp"
 
 namespace animado::controle {
 namespace {
@@ -198,6 +198,18 @@ TEST(ReadWorld, MethodsAreThoseOfFred) {
   std::vector<std::string> offered;
   for (const fred::Tableau& tableau : fred::tableaus()) offered.push_back(tableau.name);
   EXPECT_THAT(known_methods(), testing::ElementsAreArray(offered));
+}
+
+TEST(ReadWorld, SaysWhyTheOtherMethodsOfFredCannotBeUsed) {
+  for (const fred::Method& method : fred::methods()) {
+    if (method.tableau != nullptr) continue;
+    try {
+      scene_of("world\n method " + method.name + "\nobject ball\n mass 1\n");
+      FAIL() << method.name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Code::refused) << error.what();
+    }
+  }
 }
 
 }  // namespace
