@@ -15,32 +15,34 @@ namespace {
 // and there are more of them than the processor follows by itself.
 class Fetch {
  public:
-  static constexpr size_t kAhead = 64;
+  static constexpr size_t kAhead = 128;
 
   // What follows are `elements` streams, of which kAhead numbers from `next` on are fetched.
   void start(const double* next, size_t elements, size_t stride) {
     next_ = reinterpret_cast<uintptr_t>(next);
     stride_ = stride * sizeof(double);
     end_ = next_ + elements * stride_;
-    fetched_ = 0;
+    left_ = kLines;
   }
-  // kCount: a divisor of a run's lines.
   template <int kCount>
   ANIMADO_INLINE void lines() {
-#pragma GCC unroll 8
+    if constexpr (kCount == 0) return;
+#pragma GCC unroll 4
     for (size_t l = 0; l < kCount; ++l) __builtin_prefetch(reinterpret_cast<const void*>(next_ + l * kLine));
     next_ += kCount * kLine;
-    fetched_ += kCount;
-    if (fetched_ % (kRun / kLine) != 0) return;
+    left_ -= kCount;
+    if (left_ > 0) return;
     next_ += stride_ - kRun;
+    left_ += kLines;
     if (next_ >= end_) next_ = end_ - kRun;
   }
 
  private:
   static constexpr size_t kLine = kLaneGroup * sizeof(double), kRun = kAhead * sizeof(double);
+  static constexpr int kLines = kRun / kLine;
   // Addresses, which may lie behind the last system: to fetch there does nothing.
   uintptr_t next_ = 0, end_ = 0, stride_ = 0;
-  unsigned fetched_ = 0;
+  int left_ = kLines;  // of the stream's lines
 };
 
 }  // namespace

@@ -97,8 +97,10 @@ class LoopedSweep {
                   [&](Lane v, int r) { largest.see(absolute(v), r); });
       if (j == 0) of_first = largest.of_all();
     }
-    for (int j = n_; j < columns_; ++j)
+    for (int j = n_; j < columns_; ++j) {
       load_column(j, source.right_sides, j - n_, columns_ - n_, source.stride, [](Lane, int) {});
+    }
+    fetch_sides(source);
     block_.largest = largest.of_all();
     return of_first;
   }
@@ -140,6 +142,7 @@ class LoopedSweep {
       for (int j = k + 1; j < columns_; ++j) {
         const auto row = [&](int i) { return column(j)[i]; };
         eliminate(k, j, row, [&](Lane v, int i, int) { measure(k + 1, j, i, v); });
+        if constexpr (!kKeep) fetch_.lines<kFetchEliminating>();
       }
     }
   }
@@ -167,8 +170,16 @@ class LoopedSweep {
     }
   }
 
-  // As many lines for each column that changes its rows make up all matrices by the end of a block.
-  static constexpr int kFetch = (kWidth + 3) / 4;
+  // They are few: all at once.
+  ANIMADO_INLINE void fetch_sides(const Source& now) {
+    for (int e = 0; e < n_ * (columns_ - n_); ++e)
+      __builtin_prefetch(now.right_sides + static_cast<size_t>(e) * now.stride + 2 * kLaneGroup);
+  }
+
+  // As many lines for each column that changes its rows, and for each in which one step or two are
+  // eliminated, make up all matrices by the end of a block.
+  static constexpr int kFetchChanging = kWidth / 8, kFetchEliminating = 1,
+                       kFetchEliminatingTwo = kWidth == 2 ? 1 : 2;
 
   ANIMADO_INLINE Lane* column(int j) {
     return block_.column(j);
@@ -207,7 +218,7 @@ class LoopedSweep {
     Lane* c = column(begin);
     for (int j = begin; j < columns_; ++j, c += block_.column_stride()) {
       change_places(choice, c, c[k]);
-      if constexpr (!kKeep) fetch.lines<kFetch>();
+      if constexpr (!kKeep) fetch.lines<kFetchChanging>();
     }
     fetch_ = fetch;
   }
@@ -249,10 +260,12 @@ class LoopedSweep {
   ANIMADO_INLINE Lane eliminate_two(int k) {
     const int below = k + 2;
     const Lane *f = column(k) + below, *g = column(k + 1) + below, between = f[-1];
+    Fetch fetch = fetch_;
     const auto eliminate_both = [&](int j, const auto& rows) {
       Lane* c = column(j) + below;
       const Lane top = c[-2], second = c[-1] - between * top;
       c[-1] = second;
+      if constexpr (!kKeep) fetch.lines<kFetchEliminatingTwo>();
       rows([&](int i) { return c[i] = c[i] - f[i] * top - g[i] * second; });
     };
     Largest next;
@@ -269,6 +282,7 @@ class LoopedSweep {
         });
       }
     });
+    fetch_ = fetch;
     return next.of_all();
   }
 
