@@ -74,6 +74,7 @@ struct Tops {
   static constexpr double kEnd = 10;
   static constexpr double kTightError = 1e-10;
   static constexpr size_t kCount = 1000;
+  static constexpr bool kIsEnsemble = kLanes;
 
   static State start() {
     State y(7 * kCount);
@@ -88,24 +89,26 @@ struct Tops {
 
   Tops() : inertia_(top_inertia_kg_m2()) {}
 
-  __attribute__((target_clones("avx512f", "default"))) void operator()(const double* y, double* rate) const {
-    constexpr size_t kNext = kLanes ? kCount : 1, kTop = kLanes ? 1 : 7;
+  __attribute__((target_clones("avx512f", "default"))) void operator()(const double* y, double* rate,
+                                                                       size_t count = kCount) const {
+    constexpr size_t kTop = kLanes ? 1 : 7;
+    const size_t next = kLanes ? count : 1;
     const double a = (inertia_.y() - inertia_.z()) / inertia_.x(),
                  b = (inertia_.z() - inertia_.x()) / inertia_.y(),
                  c = (inertia_.x() - inertia_.y()) / inertia_.z();
 #pragma GCC ivdep
-    for (size_t i = 0; i < kCount; ++i) {
+    for (size_t i = 0; i < count; ++i) {
       const double* s = y + i * kTop;
       double* r = rate + i * kTop;
-      const double qw = s[0], qx = s[kNext], qy = s[2 * kNext], qz = s[3 * kNext];
-      const double wx = s[4 * kNext], wy = s[5 * kNext], wz = s[6 * kNext];
+      const double qw = s[0], qx = s[next], qy = s[2 * next], qz = s[3 * next];
+      const double wx = s[4 * next], wy = s[5 * next], wz = s[6 * next];
       r[0] = -0.5 * (qx * wx + qy * wy + qz * wz);
-      r[kNext] = 0.5 * (qw * wx + qy * wz - qz * wy);
-      r[2 * kNext] = 0.5 * (qw * wy + qz * wx - qx * wz);
-      r[3 * kNext] = 0.5 * (qw * wz + qx * wy - qy * wx);
-      r[4 * kNext] = a * wy * wz;
-      r[5 * kNext] = b * wz * wx;
-      r[6 * kNext] = c * wx * wy;
+      r[next] = 0.5 * (qw * wx + qy * wz - qz * wy);
+      r[2 * next] = 0.5 * (qw * wy + qz * wx - qx * wz);
+      r[3 * next] = 0.5 * (qw * wz + qx * wy - qy * wx);
+      r[4 * next] = a * wy * wz;
+      r[5 * next] = b * wz * wx;
+      r[6 * next] = c * wx * wy;
     }
   }
 

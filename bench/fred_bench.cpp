@@ -3,7 +3,7 @@
 // Fixed: the same tableau, the same steps, as many evaluations (checked). WorkPrecision: the time to a global
 // error of 1e-6 and of 1e-10 (Arenstorf 1e-8, where rounding leaves no more), each solver with the largest
 // tolerance of a common grid that reaches it; `error` and `evaluations` tell what came of it. Of ours the
-// free tops lie in lanes, of the others top after top.
+// free tops lie in lanes, and go in groups where steps are fixed; of the others they lie top after top.
 #include <benchmark/benchmark.h>
 #include <cvode/cvode.h>
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 #include <boost/numeric/odeint.hpp>
 
 #include "differential_equations.hpp"
+#include "fred/ensemble.hpp"
 #include "fred/integrate.hpp"
 #include "fred/methods.hpp"
 
@@ -186,6 +187,24 @@ void add_all() {
 
 // --- equal steps
 
+// The tops know nothing of each other: an ensemble.
+template <class P>
+typename P::State ours_by_equal_steps(const P& problem, const char* name, int64_t steps) {
+  if constexpr (requires { requires P::kIsEnsemble; }) {
+    const fred::Method& method = fred::method_named(name);
+    const double h = P::kEnd / static_cast<double>(steps);
+    const auto rate = [&](double, size_t first, size_t count, const double* y, double* out) {
+      evaluations += first == 0;  // of all, as it counts for odeint
+      problem(y, out, count);
+    };
+    return fred::integrate(method, {rate, 0, P::start().size() / P::kCount, P::start()}, P::kEnd,
+                           [&](const fred::Problem& group) { return fred::equal_stepper(method, group, h); })
+        .y;
+  } else {
+    return ours(problem, name, 0, steps);
+  }
+}
+
 template <class P>
 constexpr int64_t kEqualSteps = P::kEnd < 5 ? 2000 : 400;
 
@@ -193,7 +212,7 @@ template <class Mine>
 void fixed_ours(benchmark::State& state, const char* method) {
   const Mine problem;
   evaluations = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(ours(problem, method, 0, kEqualSteps<Mine>));
+  for (auto _ : state) benchmark::DoNotOptimize(ours_by_equal_steps(problem, method, kEqualSteps<Mine>));
   state.counters["evaluations"] =
       benchmark::Counter(static_cast<double>(evaluations), benchmark::Counter::kAvgIterations);
 }
@@ -213,7 +232,7 @@ void fixed_odeint(benchmark::State& state, const char* method) {
   evaluations = 0;
   const auto theirs = run();
   const int64_t their_evaluations = std::exchange(evaluations, 0);
-  const auto mine = ours(problem, method, 0, kEqualSteps<P>);
+  const auto mine = ours_by_equal_steps(problem, method, kEqualSteps<P>);
   if (evaluations > their_evaluations || evaluations < their_evaluations - 1)
     return state.SkipWithError("another number of evaluations");
   if (largest_difference(mine, theirs) > 1e-8) return state.SkipWithError("another result");

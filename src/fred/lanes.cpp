@@ -1,5 +1,5 @@
 // The kernels of lanes.hpp: the same operations in the same order for each element, so the same bits, whether
-// the machine takes one, two or four at a time.
+// the machine takes one, two, four or eight at a time.
 //
 // The number of terms is known when compiling: coefficients stay in registers, and each derivative is read
 // once. No standard header is included: an inline function compiled here for AVX2 must not become the copy
@@ -29,6 +29,8 @@ ANIMADO_INLINE void put(double* p, size_t element, Lane lane) {
   *reinterpret_cast<UnalignedLane*>(p + element) = lane;
 }
 
+#if ANIMADO_LANE_BYTES <= 32
+
 // A tolerance of each element, or one of all.
 ANIMADO_INLINE Lane spread(const double* p, size_t element, size_t stride) {
   return stride ? at(p, element) : Lane{} + *p;
@@ -44,6 +46,8 @@ ANIMADO_INLINE Lane unit(const double* y, const double* y_end, const ErrorScale&
   const Lane relative = spread(scale.relative, element, scale.stride);
   return absolute + relative * larger_magnitude(at(y, element), at(y_end, element));
 }
+
+#endif
 
 template <int kTerms>
 struct Terms {
@@ -72,6 +76,8 @@ void combine(const double* y, const double* const* k, const Sum& sum, double h, 
   const Terms<kTerms> terms(k, sum);
   for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + h * terms(e));
 }
+
+#if ANIMADO_LANE_BYTES <= 32  // running sums come in fours
 
 // Calls add(element, which of the running sums it joins), as many elements a turn as there are sums.
 template <class F>
@@ -127,6 +133,8 @@ void square_two_errors(const double* y, const double* y_end, const double* const
   put_sums(running[1], second);
 }
 
+#endif
+
 bool are_finite(const double* v, size_t begin, size_t end) {
   Lane probe = {};  // 0 · v is 0, or NaN for what is not finite
   for (size_t e = begin; e < end; e += kWidth) probe += 0 * at(v, e);
@@ -148,7 +156,12 @@ bool are_finite(const double* v, size_t begin, size_t end) {
 const LaneKernels ANIMADO_LANE_KERNELS = {
     kWidth,
     ANIMADO_OF_EACH_COUNT(combine),
-    {{}, ANIMADO_OF_EACH_COUNT(square_error), ANIMADO_OF_EACH_COUNT(square_two_errors)},
-    are_finite};
+    are_finite,
+#if ANIMADO_LANE_BYTES <= 32
+    {{}, ANIMADO_OF_EACH_COUNT(square_error), ANIMADO_OF_EACH_COUNT(square_two_errors)}
+#else
+    {}
+#endif
+};
 
 }  // namespace animado::fred

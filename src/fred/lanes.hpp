@@ -32,16 +32,16 @@ struct LaneKernels {
   // out = y + h sum. `out` is apart from what is read.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
                                   double* out, size_t begin, size_t end);
+  bool (*are_finite)(const double* v, size_t begin, size_t end);
   // Of each estimate, running[i mod 4] += (sum_i · (1 / scale_i))², in the order of i. All estimates have the
-  // rows of the first.
+  // rows of the first. None for AVX-512.
   void (*square_errors[kMostEstimates + 1][kMostTerms + 1])(const double* y, const double* y_end,
                                                             const double* const* k, const Sum* estimates,
                                                             const ErrorScale& scale,
                                                             double (*running)[kRunningSums], size_t begin,
                                                             size_t end);
-  bool (*are_finite)(const double* v, size_t begin, size_t end);
 };
 
-extern const LaneKernels kLanesOne, kLanesSse2, kLanesAvx2;
+extern const LaneKernels kLanesOne, kLanesSse2, kLanesAvx2, kLanesAvx512;
 
 }  // namespace animado::fred

@@ -9,8 +9,19 @@ namespace {
 // what is still on its way to the cache waits for it.
 constexpr size_t kSmall = 16;
 
-const LaneKernels& widest_kernels() {
+// From here on the widest registers are worth what is left over of them.
+constexpr size_t kLarge = 256;
+
+const LaneKernels& error_kernels() {
   return __builtin_cpu_supports("avx2") ? kLanesAvx2 : kLanesSse2;
+}
+
+const LaneKernels& wide_kernels(size_t size) {
+  return size >= kLarge && __builtin_cpu_supports("avx512f") ? kLanesAvx512 : error_kernels();
+}
+
+size_t whole_lanes(size_t size, const LaneKernels& kernels) {
+  return size <= kSmall ? 0 : size / kernels.width * kernels.width;
 }
 
 }  // namespace
@@ -34,9 +45,11 @@ std::vector<const double*> rows_of(std::span<const double> derivatives, size_t s
 }
 
 StateSums::StateSums(size_t size)
-    : wide_(widest_kernels()),
+    : wide_(wide_kernels(size)),
+      errors_(error_kernels()),
       size_(size),
-      wide_size_(size <= kSmall ? 0 : size / wide_.width * wide_.width) {}
+      wide_size_(whole_lanes(size, wide_)),
+      errors_size_(whole_lanes(size, errors_)) {}
 
 SquareErrors StateSums::square_errors(const double* y, const double* end, const double* const* k,
                                       std::span<const Sum> estimates, const Tolerance& tolerance) const {
@@ -46,8 +59,8 @@ SquareErrors StateSums::square_errors(const double* y, const double* end, const 
   const auto add = [&](const LaneKernels& kernels, size_t from, size_t to) {
     kernels.square_errors[kind][terms](y, end, k, estimates.data(), scale, running, from, to);
   };
-  if (wide_size_ > 0) add(wide_, 0, wide_size_);
-  if (wide_size_ < size_) add(kLanesOne, wide_size_, size_);
+  if (errors_size_ > 0) add(errors_, 0, errors_size_);
+  if (errors_size_ < size_) add(kLanesOne, errors_size_, size_);
   SquareErrors squares = {};
   for (size_t i = 0; i < kind; ++i) {
     squares[i] = (running[i][0] + running[i][1]) + (running[i][2] + running[i][3]);

@@ -37,8 +37,9 @@ class StateSums {
   bool are_finite(const double* v) const;
 
  private:
-  const LaneKernels& wide_;
-  size_t size_, wide_size_;  // the elements beyond wide_size_ go one by one
+  const LaneKernels &wide_, &errors_;  // those that estimate errors
+  size_t size_;
+  size_t wide_size_, errors_size_;  // the elements beyond go one by one
 };
 
 }  // namespace animado::fred
