@@ -77,6 +77,32 @@ void combine(const double* y, const double* const* k, const Sum& sum, double h, 
   for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + h * terms(e));
 }
 
+// A sum over 0 · v, which is 0, or NaN for what is not finite.
+struct Probe {
+  Lane sum = {};
+  ANIMADO_INLINE void see(Lane v) { sum += 0 * v; }
+  ANIMADO_INLINE bool is_finite() const {
+    double lanes[kWidth];
+    put(lanes, 0, sum);
+    double total = 0;
+    for (size_t i = 0; i < kWidth; ++i) total += lanes[i];
+    return total == 0;
+  }
+};
+
+template <int kTerms>
+bool combine_end(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t begin,
+                 size_t end) {
+  const Terms<kTerms> terms(k, sum);
+  Probe probe;
+  for (size_t e = begin; e < end; e += kWidth) {
+    const Lane v = at(y, e) + h * terms(e);
+    probe.see(v);
+    put(out, e, v);
+  }
+  return probe.is_finite();
+}
+
 #if ANIMADO_LANE_BYTES <= 32  // running sums come in fours
 
 // Calls add(element, which of the running sums it joins), as many elements a turn as there are sums.
@@ -136,13 +162,9 @@ void square_two_errors(const double* y, const double* y_end, const double* const
 #endif
 
 bool are_finite(const double* v, size_t begin, size_t end) {
-  Lane probe = {};  // 0 · v is 0, or NaN for what is not finite
-  for (size_t e = begin; e < end; e += kWidth) probe += 0 * at(v, e);
-  double lanes[kWidth];
-  put(lanes, 0, probe);
-  double total = 0;
-  for (size_t i = 0; i < kWidth; ++i) total += lanes[i];
-  return total == 0;
+  Probe probe;
+  for (size_t e = begin; e < end; e += kWidth) probe.see(at(v, e));
+  return probe.is_finite();
 }
 
 }  // namespace
@@ -156,6 +178,7 @@ bool are_finite(const double* v, size_t begin, size_t end) {
 const LaneKernels ANIMADO_LANE_KERNELS = {
     kWidth,
     ANIMADO_OF_EACH_COUNT(combine),
+    ANIMADO_OF_EACH_COUNT(combine_end),
     are_finite,
 #if ANIMADO_LANE_BYTES <= 32
     {{}, ANIMADO_OF_EACH_COUNT(square_error), ANIMADO_OF_EACH_COUNT(square_two_errors)}

@@ -32,6 +32,9 @@ struct LaneKernels {
   // out = y + h sum. `out` is apart from what is read.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
                                   double* out, size_t begin, size_t end);
+  // The same; tells whether all of it is finite.
+  bool (*combine_end[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
+                                      double* out, size_t begin, size_t end);
   bool (*are_finite)(const double* v, size_t begin, size_t end);
   // Of each estimate, running[i mod 4] += (sum_i · (1 / scale_i))², in the order of i. All estimates have the
   // rows of the first. None for AVX-512.

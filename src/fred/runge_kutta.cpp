@@ -81,7 +81,7 @@ bool RungeKutta::attempt(double t, double h) {
     combine(s, stage_);
     evaluate(s, t + nodes[s] * h, stage_);
   }
-  combine(stages, end_);
+  end_is_finite_ = sums_.combine_end(y_, k_.data(), places_[stages], h_, end_);
   return true;
 }
 

@@ -30,7 +30,7 @@ class RungeKutta {
 
   // Computes the end of a step from (t, y), which always works. It may be tried again with another length.
   bool attempt(double t, double h);
-  bool end_is_finite() const { return sums_.are_finite(end_); }
+  bool end_is_finite() const { return end_is_finite_; }
 
   // Of the last try: its estimated error over the tolerance, root mean square over the elements (the DOP853
   // combination of two estimates where the method has them). At most 1 is acceptable.
@@ -58,7 +58,7 @@ class RungeKutta {
   std::vector<Sum> places_;  // where each derivative is evaluated: the end of the step at `stages`
   std::vector<Sum> estimates_;
   double t_ = 0, h_ = 0;
-  bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false;
+  bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false, end_is_finite_ = true;
   int64_t evaluations_ = 0;
 };
 

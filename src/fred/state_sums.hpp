@@ -30,6 +30,14 @@ class StateSums {
     if (wide_size_ < size_) kLanesOne.combine[sum.count](y, k, sum, h, out, wide_size_, size_);
   }
 
+  // The same; tells whether all of it is finite.
+  bool combine_end(const double* y, const double* const* k, const Sum& sum, double h, double* out) const {
+    bool finite = true;
+    if (wide_size_ > 0) finite = wide_.combine_end[sum.count](y, k, sum, h, out, 0, wide_size_);
+    if (wide_size_ < size_) finite &= kLanesOne.combine_end[sum.count](y, k, sum, h, out, wide_size_, size_);
+    return finite;
+  }
+
   // Of each estimate, Σ_i (sum_i / scale_i)². All of them read the same derivatives.
   SquareErrors square_errors(const double* y, const double* end, const double* const* k,
                              std::span<const Sum> estimates, const Tolerance& tolerance) const;

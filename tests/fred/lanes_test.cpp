@@ -57,6 +57,14 @@ TEST_P(Lanes, Combine) {
     for (size_t i = 0; i < kSize; ++i) {
       EXPECT_EQ(out[i], i < 4 || i >= 20 ? 9 : y_[i] + 0.1 * sum(0, i)) << kernels->width << " " << i;
     }
+    std::vector<double> end(kSize, 9);
+    EXPECT_TRUE(kernels->combine_end[terms](y_, k_, sums_[0], 0.1, end.data(), 4, 20));
+    EXPECT_EQ(end, out);
+    for (const size_t bad : {4, 11, 19}) {
+      std::vector<double> y(y_, y_ + kSize);
+      y[bad] = -std::numeric_limits<double>::infinity();
+      EXPECT_FALSE(kernels->combine_end[terms](y.data(), k_, sums_[0], 0.1, end.data(), 4, 20));
+    }
   }
 }
 
