@@ -9,6 +9,9 @@
 namespace animado::egesp {
 namespace {
 
+// Of one right-hand side: larger ones do not fit the registers, and their code not its cache.
+constexpr int kLargestUnrolled = 6;
+
 template <bool kComplete, int N, int M>
 ANIMADO_INLINE void store_solutions(Block<N, M>& block, const LaneBatch& batch, size_t first) {
   const int n = block.n(), m = block.m();
@@ -73,22 +76,9 @@ void solve_looped(const LaneBatch& batch) {
 
 template <bool kComplete>
 void solve_size(const LaneBatch& batch) {
-  switch (batch.m == 1 ? batch.n : 0) {
-    case 1:
-      return solve_unrolled<kComplete, 1, 1>(batch);
-    case 2:
-      return solve_unrolled<kComplete, 2, 1>(batch);
-    case 3:
-      return solve_unrolled<kComplete, 3, 1>(batch);
-    case 4:
-      return solve_unrolled<kComplete, 4, 1>(batch);
-    case 5:
-      return solve_unrolled<kComplete, 5, 1>(batch);
-    case 6:
-      return solve_unrolled<kComplete, 6, 1>(batch);
-    default:
-      return solve_looped<kComplete>(batch);
-  }
+  if (batch.m > 1 || batch.n > kLargestUnrolled) return solve_looped<kComplete>(batch);
+  unrolled<kLargestUnrolled - 1>(batch.n - 1,
+                                 [&]<int kBefore>() { solve_unrolled<kComplete, kBefore + 1, 1>(batch); });
 }
 
 void solve(const LaneBatch& batch) {

@@ -27,15 +27,6 @@ ANIMADO_INLINE void each_row(int begin, int end, const F& f) {
   }
 }
 
-// work.operator()<count>(): loops of that many turns have no branch.
-template <int kMost, class Work>
-ANIMADO_INLINE void unrolled(int count, const Work& work) {
-  if constexpr (kMost > 0) {
-    if (count < kMost) return unrolled<kMost - 1>(count, work);
-  }
-  work.template operator()<kMost>();
-}
-
 // A maximum in four parts, so that none waits for the one before.
 struct Largest {
   Lane part[4] = {};

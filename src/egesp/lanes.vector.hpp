@@ -105,5 +105,14 @@ ANIMADO_INLINE void each(int begin, int end, const F& f) {
   }
 }
 
+// work.operator()<count>(): loops of that many turns have no branch.
+template <int kMost, class Work>
+ANIMADO_INLINE void unrolled(int count, const Work& work) {
+  if constexpr (kMost > 0) {
+    if (count < kMost) return unrolled<kMost - 1>(count, work);
+  }
+  work.template operator()<kMost>();
+}
+
 }  // namespace
 }  // namespace animado::egesp

@@ -30,7 +30,7 @@ std::vector<Sum> error_sums(const Tableau& method) {
 }
 
 double error_of(std::span<const double> squares, double step, size_t n) {
-  const double h = std::abs(step), count = static_cast<double>(static_cast<int64_t>(n));
+  const double h = std::abs(step), count = static_cast<double>(n);
   if (squares.size() == 1) return h * std::sqrt(squares[0] / count);
   const double both = squares[0] + 0.01 * squares[1];
   return both == 0 ? 0 : h * squares[0] / std::sqrt(count * both);

@@ -29,30 +29,9 @@ ANIMADO_INLINE void put(double* p, size_t element, Lane lane) {
   *reinterpret_cast<UnalignedLane*>(p + element) = lane;
 }
 
-#if ANIMADO_LANE_BYTES <= 32
-
-// A tolerance of each element, or one of all.
-ANIMADO_INLINE Lane spread(const double* p, size_t element, size_t stride) {
-  return stride ? at(p, element) : Lane{} + *p;
-}
-
-ANIMADO_INLINE Lane larger_magnitude(Lane u, Lane v) {
-  const Lane a = u < 0 ? -u : u, b = v < 0 ? -v : v;
-  return a > b ? a : b;
-}
-
-ANIMADO_INLINE Lane unit(const double* y, const double* y_end, const ErrorScale& scale, size_t element) {
-  const Lane absolute = spread(scale.absolute, element, scale.stride);
-  const Lane relative = spread(scale.relative, element, scale.stride);
-  return absolute + relative * larger_magnitude(at(y, element), at(y_end, element));
-}
-
-#endif
-
 template <int kTerms>
 struct Terms {
   const double* k[kTerms];
-
   double coefficients[kTerms];
 
   ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum) {
@@ -104,6 +83,22 @@ bool combine_end(const double* y, const double* const* k, const Sum& sum, double
 }
 
 #if ANIMADO_LANE_BYTES <= 32  // running sums come in fours
+
+// A tolerance of each element, or one of all.
+ANIMADO_INLINE Lane spread(const double* p, size_t element, size_t stride) {
+  return stride ? at(p, element) : Lane{} + *p;
+}
+
+ANIMADO_INLINE Lane larger_magnitude(Lane u, Lane v) {
+  const Lane a = u < 0 ? -u : u, b = v < 0 ? -v : v;
+  return a > b ? a : b;
+}
+
+ANIMADO_INLINE Lane unit(const double* y, const double* y_end, const ErrorScale& scale, size_t element) {
+  const Lane absolute = spread(scale.absolute, element, scale.stride);
+  const Lane relative = spread(scale.relative, element, scale.stride);
+  return absolute + relative * larger_magnitude(at(y, element), at(y_end, element));
+}
 
 // Calls add(element, which of the running sums it joins), as many elements a turn as there are sums.
 template <class F>

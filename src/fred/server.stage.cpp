@@ -85,6 +85,11 @@ Estimate::Reply estimate(const Estimate::Request& request, rpc::Call& call) {
   refuse_infinite(request.step, "step");
   refuse_infinite(request.last_error, "last_error");
   refuse_infinite(request.last_step, "last_step");
+  if (request.last_step * request.step < 0) {
+    throw Error(Code::bad_params,
+                fmt::format("the last step, {:g}, went the other way than this one", request.last_step),
+                "last_step", "send a length of the step's sign, or 0");
+  }
   const size_t needed = method.stages() + (method.error_reads_end() ? 1 : 0);
   check_shapes(request.state, request.derivatives, static_cast<int64_t>(needed));
   check_end(request.state, request.end);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "laboratory.hpp"
+#include "scenes.hpp"
 
 namespace animado::experiments {
 
@@ -9,22 +10,7 @@ class Bouncing : public Experiment {};
 
 TEST_P(Bouncing, HeightsAreAGeometricSeries) {
   constexpr double kHeight_m = 2, kRestitution = 0.8, kGravity_m_s2 = 9.81, kRadius_m = 0.25;
-  const Record record = simulate(R"(
-world
-  gravity (0, -9.81, 0)
-object floor
-  shape plane(normal = (0, 1, 0), offset = 0)
-  motion static
-  restitution 1
-object ball
-  shape sphere(radius = 0.25)
-  mass 1
-  restitution 0.8
-  position (0, 2.25, 0)
-time
-  end 5.5
-  step 0.01
-)");
+  const Record record = simulate("world\n gravity (0, -9.81, 0)\n" + bouncing_ball("5.5", "0.01"));
   const auto impacts = record.impacts();
   ASSERT_GE(impacts.size(), 10u);
   // Between two bounces the ball is in free flight, so each frame tells the height that it reaches.

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "laboratory.hpp"
+#include "scenes.hpp"
 
 namespace animado::experiments {
 namespace {
@@ -36,19 +37,6 @@ double worst_error_m(const Record& spring) {
     worst = std::max(worst, std::abs(row.position_m.x() - 0.01 * std::cos(20 * kPi * row.time_s)));
   return worst;
 }
-
-// μ = 4π² and a half axis of 1 m: closes after 1 s. Eccentricity 0.3 from the perihelion.
-constexpr auto kOrbit = R"(
-object planet
-  shape sphere(radius = 0.01)
-  mass 1
-  position (0.7, 0, 0)
-  velocity (0, 2*pi*sqrt(1.3/0.7), 0)
-  force -4*pi^2*planet.mass*position/norm(position)^3
-time
-  end 1
-  step 1/16
-)";
 
 double gap_of_the_ellipse_m(const Record& orbit) {
   return (orbit.of("planet").back().position_m - Vec3(0.7, 0, 0)).norm();
@@ -113,20 +101,8 @@ class EmbeddedFall : public Experiment {};
 
 // After √(2h/g), then each 2 εⁿ √(2h/g) later.
 TEST_P(EmbeddedFall, LandsWhenTheFormulaSays) {
-  const Record record = simulate(world("dopri5", "1e-9", "gravity (0, -9.81, 0)\n") + R"(
-object floor
-  shape plane(normal = (0, 1, 0), offset = 0)
-  motion static
-  restitution 1
-object ball
-  shape sphere(radius = 0.25)
-  mass 1
-  restitution 0.8
-  position (0, 2.25, 0)
-time
-  end 3
-  step 0.05
-)");
+  const Record record =
+      simulate(world("dopri5", "1e-9", "gravity (0, -9.81, 0)\n") + bouncing_ball("3", "0.05"));
   const auto impacts = record.impacts();
   ASSERT_EQ(impacts.size(), 3u);
   const double first_s = std::sqrt(2 * 2 / 9.81);

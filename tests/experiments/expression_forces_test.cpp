@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "laboratory.hpp"
+#include "scenes.hpp"
 
 namespace animado::experiments {
 
@@ -35,19 +36,7 @@ time
 class KeplerOrbit : public Experiment {};
 
 TEST_P(KeplerOrbit, Closes) {
-  // μ = 4π² and a = 1: the period is 1. Eccentricity 0.3 from the perihelion.
-  const auto rows = simulate(R"(
-object planet
-  shape sphere(radius = 0.01)
-  mass 1
-  position (0.7, 0, 0)
-  velocity (0, 2*pi*sqrt(1.3/0.7), 0)
-  force -4*pi^2*planet.mass*position/norm(position)^3
-time
-  end 1
-  step 1/16
-)")
-                        .of("planet");
+  const auto rows = simulate(kOrbit).of("planet");
   const Row &start = rows.front(), &end = rows.back();
   EXPECT_LT((end.position_m - start.position_m).norm(), 1e-8);
   EXPECT_LT((end.velocity_m_s - start.velocity_m_s).norm(), 1e-7);

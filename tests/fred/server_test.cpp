@@ -266,6 +266,7 @@ TEST(FredServer, RefusesEstimatesThatMakeNoSense) {
   EXPECT_EQ(code([](auto& r) { r.end.shape = {2}; }), Code::bad_shape);
   EXPECT_EQ(code([](auto& r) { r.absolute_tolerance = {0}; }), Code::bad_params);
   EXPECT_EQ(code([](auto& r) { r.relative_tolerance = {1e-6, 1e-6}; }), Code::bad_params);
+  EXPECT_EQ(code([](auto& r) { r.last_step = -0.1; }), Code::bad_params);
 }
 
 TEST(FredServer, IntegratesToATolerance) {

@@ -160,7 +160,7 @@ std::vector<double> turns_and(double worst) {
   return all;
 }
 
-// The hexadecimal corners are the worst of six million arguments.
+// The hexadecimal corners are the worst that a search among millions of arguments found.
 const Measured kMeasured[] = {
     {"sin", "sin(x)", Op::sine, OF_X(sinl), {-100, 100}, turns_and(0x1.4606bfd4175ecp+14)},
     {"cos", "cos(x)", Op::cosine, OF_X(cosl), {-100, 100}, turns_and(0x1.99705f7bd6e24p-1)},
