@@ -82,6 +82,31 @@ TEST(Pushes, MoreFormulasThanAreLookedAt) {
   expect_the_bits_of_each_alone(forces);
 }
 
+// The second body's first formula is met after the others, and comes first all the same: three numbers have
+// another last digit in another order.
+TEST(Pushes, AreAddedInTheOrderOfTheirLines) {
+  const std::string later = " force 0.2*position\n force 0.3*position\n";
+  const Scene scene = parse_scene("object a\n shape sphere(radius=1)\n mass 1\n force velocity\n" + later +
+                                  "object b\n shape sphere(radius=1)\n mass 1\n position (9, 0, 0)\n force "
+                                  "0.1*norm(position)*position\n" +
+                                  later + "time\n end 1\n step 0.1\n");
+  const std::vector<LiveProgram> programs = programs_of(scene);
+  const std::vector<Drive> all = drives(scene, SceneScope(scene));
+  Pushes pushes(all);
+  std::vector<double> state = some_state(2), out(12);
+  int told_apart = 0;
+  for (int turn = 0; turn < 13; ++turn) {
+    const Moment moment{state.data(), 2, 0};
+    pushes.evaluate(moment, out.data());
+    const Vec3 first = programs[3].vector(moment), second = programs[4].vector(moment),
+               third = programs[5].vector(moment);
+    EXPECT_EQ(Vec3(out[1], out[3], out[5]), Vec3(first + second + third));
+    told_apart += Vec3(first + second + third) != Vec3(second + third + first);
+    std::ranges::rotate(state, state.begin() + 1);
+  }
+  EXPECT_GT(told_apart, 0);
+}
+
 TEST(ProgramBatch, TakesWhatDiffersInBodiesAndMasses) {
   const std::vector<LiveProgram> programs =
       programs_of(scene_of({"-mass*position", "-mass*position", "-7*position", "-mass*velocity",
