@@ -9,6 +9,7 @@
 
 #include "egesp/batch.hpp"
 #include "egesp/prepared.hpp"
+#include "huge_pages.hpp"
 
 namespace animado::bench {
 namespace {
@@ -21,10 +22,10 @@ template <int N>
 struct Systems {
   using Matrix = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
-  std::vector<double> matrices = std::vector<double>(N * N * kSystems),
-                      sides = std::vector<double>(N * kSystems), solutions = sides;
-  std::vector<Matrix> a = std::vector<Matrix>(kSystems);
-  std::vector<Vector> b = std::vector<Vector>(kSystems), x = b;
+  HugeVector<double> matrices = HugeVector<double>(N * N * kSystems),
+                     sides = HugeVector<double>(N * kSystems), solutions = sides;
+  HugeVector<Matrix> a = HugeVector<Matrix>(kSystems);
+  HugeVector<Vector> b = HugeVector<Vector>(kSystems), x = b;
 
   Systems() {
     std::srand(12345);  // Eigen's Random draws from it
@@ -114,7 +115,7 @@ void Prepared(benchmark::State& state) {
   std::unique_ptr<egesp::PreparedBatch> prepared;
   const auto solve = [&](Systems<6>& systems) {
     if (!prepared) {
-      std::vector<double> matrices = systems.matrices;
+      HugeVector<double> matrices = systems.matrices;
       for (size_t e = 0; kAlike && e < matrices.size(); ++e) matrices[e] = matrices[e / kSystems * kSystems];
       prepared = egesp::prepare({matrices, kSystems, 6, true}, {}, instructions);
     }

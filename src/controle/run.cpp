@@ -18,6 +18,7 @@ std::vector<ResultBody> result_bodies(const Scene& scene) {
     bodies.push_back({body.name,
                       body.shape,
                       body.motion,
+                      body.mass_kg,
                       {body.color.r, body.color.g, body.color.b},
                       body.rotation_order});
   }
@@ -45,6 +46,33 @@ Summary opening(const Scene& scene, Simulation& simulation) {
   summary.energy.initial_J = start.energy_J();
   summary.momentum_initial = momentum(start);
   return summary;
+}
+
+// length_s: of the frame; steps: when it began.
+FrameFacts facts_at(double time_s, double length_s, int64_t steps, double initial_J, Simulation& simulation) {
+  const Stepper& stepper = simulation.stepper();
+  const Counts& counts = stepper.counts();
+  const Balance now = simulation.balance();
+  EnergyLedger ledger = stepper.flows();
+  ledger.initial_J = initial_J;
+  ledger.final_J = now.energy_J();
+  FrameFacts facts;
+  facts.time_s = time_s;
+  facts.step_s = counts.steps > steps ? length_s / static_cast<double>(counts.steps - steps) : 0;
+  facts.steps = counts.steps;
+  facts.impacts = counts.impacts;
+  facts.contacts = stepper.contacts();
+  facts.kinetic_J = now.kinetic_J;
+  facts.potential_J = now.potential_J;
+  facts.elastic_J = now.elastic_J;
+  facts.work_in_J = ledger.work_in_J;
+  facts.dissipated_impacts_J = ledger.dissipated_impacts_J;
+  facts.dissipated_friction_J = ledger.dissipated_friction_J;
+  facts.dissipated_damping_J = ledger.dissipated_damping_J;
+  facts.residual_J = ledger.residual_J();
+  facts.linear_kg_m_s = now.linear_momentum_kg_m_s;
+  facts.angular_kg_m2_s = now.angular_momentum_kg_m2_s;
+  return facts;
 }
 
 void close(Summary& summary, Simulation& simulation, double wall_time_s) {
@@ -78,13 +106,14 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   const Scene scene = read_scene(options.scene);
   refuse_overlap(scene, suite);
 
-  Results results(options.directory, result_bodies(scene));
+  Results results(options.directory, result_bodies(scene), scene.text);
   rpc::Log log("controle", options.directory / "logs" / "controle.log");
   Simulation simulation(scene, suite, options.name, log, [&](const Event& event) { results.event(event); });
   LiveNames names(suite, simulation, options.name, [&](const Event& event) { results.event(event); });
   Stepper& stepper = simulation.stepper();
   Summary summary = opening(scene, simulation);
 
+  FrameFacts facts;
   const std::vector<double> times = scene.time.frame_times();
   const auto finish = [&](RunStatus status) {
     summary.status = status;
@@ -95,7 +124,9 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   try {
     for (size_t frame = 0; frame < times.size(); ++frame) {
       if (frame > 0) stepper.advance_to(times[frame]);
-      results.frame(times[frame], {stepper.state(), kStateRows * scene.bodies.size()});
+      const double length_s = frame > 0 ? times[frame] - times[frame - 1] : 0;
+      facts = facts_at(times[frame], length_s, facts.steps, summary.energy.initial_J, simulation);
+      results.frame(facts, {stepper.state(), kStateRows * scene.bodies.size()});
       names.frame();
       const auto count = [](auto value) { return static_cast<int64_t>(value); };
       options.progress({count(frame + 1), count(times.size()), times[frame], times.back(),

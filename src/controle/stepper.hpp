@@ -43,6 +43,7 @@ class Stepper {
   const double* state() const { return now_.values; }
   const Lanes& lanes() const { return now_; }
   const Counts& counts() const { return counts_; }
+  int64_t contacts() const { return contacts_; }  // points that touched in the last step
 
   // The ledger's flows so far; initial and final energies are the caller's.
   const EnergyLedger& flows() const { return flows_; }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "controle/results/bodies_json.hpp"
+
 namespace animado::controle {
 namespace {
 
@@ -18,17 +20,30 @@ std::vector<AnimatedBody> nodes_of(const std::vector<ResultBody>& bodies) {
   return nodes;
 }
 
+std::vector<RecordedBody> recorded(const std::vector<ResultBody>& bodies) {
+  std::vector<RecordedBody> all;
+  for (const ResultBody& body : bodies)
+    all.push_back({body.name, body.motion, body.mass_kg, body.color_srgb, body.shape});
+  return all;
+}
+
 }  // namespace
 
-Results::Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies)
+Results::Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies,
+                 std::string_view scene_text)
     : directory_(std::move(directory)),
       states_(directory_ / "states.csv", rows_of(bodies)),
+      frames_table_(directory_ / "frames.csv"),
       events_(directory_ / "events.jsonl"),
-      animation_(nodes_of(bodies)) {}
+      animation_(nodes_of(bodies)) {
+  write_whole(directory_ / "bodies.json", bodies_text(recorded(bodies)));
+  write_whole(directory_ / "scene.animado", scene_text);
+}
 
-void Results::frame(double time_s, std::span<const double> state) {
-  states_.frame(frames_++, time_s, state);
-  animation_.frame(time_s, state);
+void Results::frame(const FrameFacts& facts, std::span<const double> state) {
+  states_.frame(frames_, facts.time_s, state);
+  frames_table_.frame(frames_++, facts);
+  animation_.frame(facts.time_s, state);
   events_.flush();
 }
 
@@ -39,6 +54,7 @@ void Results::event(const Event& event) {
 void Results::finish(Summary summary) {
   summary.frames = frames_;
   states_.close();
+  frames_table_.close();
   events_.close();
   animation_.write(directory_ / "animation.glb");
   write_summary(directory_ / "summary.json", summary);

@@ -1,5 +1,6 @@
-// The files of a run (docs/architecture.md): states.csv, events.jsonl, animation.glb and summary.json in one
-// directory. Made of plain values, so that anything that moves bodies can write them.
+// The files of a run (docs/results.md): states.csv, frames.csv, events.jsonl, bodies.json, scene.animado,
+// animation.glb and summary.json in one directory. Made of plain values, so that anything that moves bodies
+// can write them.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "controle/results/animation_glb.hpp"
 #include "controle/results/events_jsonl.hpp"
+#include "controle/results/frames_csv.hpp"
 #include "controle/results/states_csv.hpp"
 #include "controle/results/summary_json.hpp"
 
@@ -18,6 +20,7 @@ struct ResultBody {
   std::string name = {};
   Shape shape = Sphere{1};
   Motion motion = Motion::dynamic;
+  double mass_kg = 0;
   Vec3 color_srgb = Vec3::Constant(0.7);     // each in 0 … 1, as CSS means them
   RotationOrder rotation_order = {0, 1, 2};  // of its Euler angles in the table
 };
@@ -25,10 +28,11 @@ struct ResultBody {
 class Results {
  public:
   // directory: where to write (ResultsDirectory::path while the run goes); it is there already.
-  Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies);
+  Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies,
+          std::string_view scene_text);
 
   // The next frame, its events before it. state: shape (13, bodies), rows as in base/state.hpp.
-  void frame(double time_s, std::span<const double> state);
+  void frame(const FrameFacts& facts, std::span<const double> state);
   void event(const Event& event);
   int64_t frames() const { return frames_; }
 
@@ -39,6 +43,7 @@ class Results {
  private:
   std::filesystem::path directory_;
   StatesCsv states_;
+  FramesCsv frames_table_;
   EventsJsonl events_;
   AnimationGlb animation_;
   int64_t frames_ = 0;

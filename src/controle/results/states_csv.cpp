@@ -11,10 +11,6 @@
 namespace animado::controle {
 namespace {
 
-constexpr std::string_view kHeader =
-    "frame,time_s,body,px_m,py_m,pz_m,qw,qx,qy,qz,ex_rad,ey_rad,ez_rad,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_"
-    "s,wz_rad_s\n";
-
 void put(fmt::memory_buffer& row, const Vec3& v) {
   fmt::format_to(std::back_inserter(row), ",{:.17g},{:.17g},{:.17g}", v.x(), v.y(), v.z());
 }
@@ -27,7 +23,7 @@ void put(fmt::memory_buffer& row, const Quat& q) {
 
 StatesCsv::StatesCsv(const std::filesystem::path& file, std::vector<Body> bodies)
     : file_(file), bodies_(std::move(bodies)) {
-  file_.write(kHeader);
+  file_.write(fmt::format("{}\n", kStatesHeader));
 }
 
 void StatesCsv::frame(int64_t frame, double time_s, std::span<const double> state) {

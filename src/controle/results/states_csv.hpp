@@ -4,12 +4,17 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/euler.hpp"
 #include "controle/results/output_file.hpp"
 
 namespace animado::controle {
+
+inline constexpr std::string_view kStatesHeader =
+    "frame,time_s,body,px_m,py_m,pz_m,qw,qx,qy,qz,ex_rad,ey_rad,ez_rad,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_"
+    "s,wz_rad_s";
 
 class StatesCsv {
  public:

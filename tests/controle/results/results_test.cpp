@@ -24,10 +24,10 @@ std::vector<double> state_at_rest() {
 
 TEST(Results, WritesTheFilesOfTheContract) {
   const TemporaryDirectory directory;
-  Results results(directory.path(), kBodies);
-  results.frame(0, state_at_rest());
+  Results results(directory.path(), kBodies, "# a scene\n");
+  results.frame({.time_s = 0}, state_at_rest());
   results.event({.time_s = 0.1, .kind = EventKind::impact, .bodies = {"esfera", "cubo"}});
-  results.frame(0.3, state_at_rest());
+  results.frame({.time_s = 0.3}, state_at_rest());
   results.finish({.scene = "colisao.animado", .bodies = 2});
 
   const std::string states = text_of(directory.path() / "states.csv");
@@ -42,14 +42,14 @@ TEST(Results, WritesTheFilesOfTheContract) {
 
 TEST(Results, EventsAreReadableWhileTheRunGoes) {
   const TemporaryDirectory directory;
-  Results results(directory.path(), kBodies);
+  Results results(directory.path(), kBodies, "# a scene\n");
   results.event({.time_s = 0.1, .kind = EventKind::impact});
-  results.frame(0.3, state_at_rest());
+  results.frame({.time_s = 0.3}, state_at_rest());
   EXPECT_NE(text_of(directory.path() / "events.jsonl").find("impact"), std::string::npos);
 }
 
 TEST(Results, AMissingDirectoryIsAnError) {
-  EXPECT_THROW(Results("/no/such/directory", kBodies), Error);
+  EXPECT_THROW(Results("/no/such/directory", kBodies, ""), Error);
 }
 
 }  // namespace
