@@ -19,7 +19,8 @@ namespace animado {
 namespace {
 
 // Between fork and exec only calls that are safe there: no allocation, no exceptions.
-[[noreturn]] void become(char* const* arguments, pid_t parent, int output, int kept_fd, int failure) {
+[[noreturn]] void become(char* const* arguments, pid_t parent, int output, std::span<const int> kept_fds,
+                         int failure) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // it died before the line above
   setpgid(0, 0);                        // out of reach of the terminal's Ctrl-C
@@ -30,7 +31,7 @@ namespace {
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
-  if (kept_fd >= 0) fcntl(kept_fd, F_SETFD, 0);
+  for (const int kept : kept_fds) fcntl(kept, F_SETFD, 0);
   execv(arguments[0], arguments);
   const int error = errno;
   [[maybe_unused]] const auto written = write(failure, &error, sizeof error);
@@ -39,7 +40,8 @@ namespace {
 
 }  // namespace
 
-Child::Child(const std::vector<std::string>& arguments, const std::filesystem::path& output, int kept_fd) {
+Child::Child(const std::vector<std::string>& arguments, const std::filesystem::path& output,
+             std::span<const int> kept_fds) {
   assert(!arguments.empty());
   std::vector<char*> raw;
   for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
@@ -56,7 +58,7 @@ Child::Child(const std::vector<std::string>& arguments, const std::filesystem::p
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ < 0) throw Error(Code::unavailable, std::string("no new process: ") + std::strerror(errno));
-  if (pid_ == 0) become(raw.data(), parent, log.get(), kept_fd, failure.get());
+  if (pid_ == 0) become(raw.data(), parent, log.get(), kept_fds, failure.get());
   pidfd_.reset(static_cast<int>(syscall(SYS_pidfd_open, pid_, 0)));
   failure.reset();
 

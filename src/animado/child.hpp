@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace animado {
 class Child {
  public:
   Child() = default;  // no process
-  // Starts arguments[0]. Output and errors are appended to the file `output`. `kept_fd` stays open in the
-  // child (-1: none). Throws Error(unavailable) when the program cannot be started.
-  Child(const std::vector<std::string>& arguments, const std::filesystem::path& output, int kept_fd = -1);
+  // Starts arguments[0]. Output and errors are appended to the file `output`. `kept_fds` stay open in
+  // the child. Throws Error(unavailable) when the program cannot be started.
+  Child(const std::vector<std::string>& arguments, const std::filesystem::path& output,
+        std::span<const int> kept_fds = {});
   Child(Child&&) noexcept = default;
   Child& operator=(Child&& other) noexcept;
   ~Child();  // ends it, by force

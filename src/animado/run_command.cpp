@@ -7,6 +7,7 @@
 #include "animado/commands.hpp"
 #include "animado/end_report.hpp"
 #include "animado/progress_display.hpp"
+#include "animado/replay.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/scene_check.hpp"
 #include "animado/terminal.hpp"
@@ -22,13 +23,15 @@ constexpr auto kExamples =
     "  animado run scenes/colisao.animado                results in runs/colisao/\n"
     "  animado run scenes/colisao.animado --out tonight  results in tonight/\n"
     "  animado run scenes/colisao.animado --in-process   one process instead of five: the same bits\n"
-    "  animado run scenes/colisao.animado --json         the summary as JSON on stdout\n\n"
+    "  animado run scenes/colisao.animado --json         the summary as JSON on stdout\n"
+    "  animado run --replay runs/spring                  the same once more, with the edits it took\n\n"
     "Exit codes: 0 done, 2 usage, 3 scene refused, 4 the motion diverged, 5 a service was lost, 130 "
     "interrupted.\n";
 
 struct Options {
-  std::string scene, out, name;
+  std::string scene, out, name, replay_of;
   bool in_process = false, quiet = false, json = false, keep_services = false;
+  std::optional<Replay> replay;
 };
 
 ProgressDisplay::Style style(const Options& options) {
@@ -41,7 +44,9 @@ void finish(const Options& options, controle::ResultsDirectory& results, ExitCod
   if (code != kLost && fs::exists(results.path() / "summary.json")) {
     results.commit();
     const fs::path shown = fs::proximate(results.final_path());
-    if (!options.quiet) print_note(end_report(results.final_path()) + "results in " + shown.string());
+    std::string report = end_report(results.final_path());
+    if (options.replay) report += replay_report(*options.replay, results.final_path());
+    if (!options.quiet) print_note(report + "results in " + shown.string());
     if (options.json) std::cout << std::ifstream(results.final_path() / "summary.json").rdbuf() << std::flush;
   } else {
     print_note("no results; the logs are in " + fs::proximate(results.logs()).string());
@@ -50,7 +55,11 @@ void finish(const Options& options, controle::ResultsDirectory& results, ExitCod
 
 ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
   ProgressDisplay display(style(options), stderr, std::chrono::steady_clock::now());
-  RunRequest request{options.scene, results.path(), options.name, options.keep_services, {}};
+  RunRequest request{.scene = options.scene,
+                     .directory = results.path(),
+                     .name = options.name,
+                     .keep_services = options.keep_services};
+  if (options.replay) request.replay = options.replay->events;
   request.on_progress = [&](const controle::Progress& p) {
     display.show(p, std::chrono::steady_clock::now());
   };
@@ -69,6 +78,12 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
 
 ExitCode run(Options options) {
   try {
+    if (!options.replay_of.empty()) {
+      options.replay = read_replay(options.replay_of);
+      options.scene = options.replay->scene;
+      if (options.out.empty())
+        options.out = fs::path(options.replay_of).lexically_normal().string() + "-replay";
+    }
     check_scene(options.scene);
   } catch (const Error& error) {
     print_error(error);
@@ -99,7 +114,7 @@ ExitCode run(Options options) {
 void add_run_command(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(line, "run", "Simulate a scene", kExamples);
-  command.add_option("scene", options->scene, "The scene's file")->required();
+  const auto scene = command.add_option("scene", options->scene, "The scene's file");
   command.add_option("--out", options->out, "Directory of the results (default: runs/<scene>)");
   command.add_option("--run", options->name,
                      "Name of the run, for `animado ps` and its like (default: <scene>-<pid>)");
@@ -109,9 +124,17 @@ void add_run_command(CommandLine& line) {
       .add_flag("--keep-services", options->keep_services,
                 "Leave the services running at the end, until Ctrl-C")
       ->excludes(in_process);
+  command
+      .add_option("--replay", options->replay_of,
+                  "Instead of a scene: results of a run, which is made again with the edits that it took")
+      ->check(CLI::ExistingDirectory)
+      ->excludes(scene);
   command.add_flag("--quiet", options->quiet, "No progress and no report; errors are still told");
   command.add_flag("--json", options->json, "The summary on stdout");
-  command.callback([&line, options] { line.exit_code = run(*options); });
+  command.callback([&line, options] {
+    if (options->scene.empty() && options->replay_of.empty()) throw CLI::RequiredError("scene, or --replay,");
+    line.exit_code = run(*options);
+  });
 }
 
 }  // namespace animado

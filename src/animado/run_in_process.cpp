@@ -5,6 +5,7 @@
 #include "animado/in_process.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/terminal.hpp"
+#include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
 
 namespace animado {
@@ -26,6 +27,7 @@ ExitCode run_in_process(const RunRequest& request) {
   options.name = request.name;
   options.progress = request.on_progress;
   options.stop = [] { return stop_asked.load(); };
+  if (!request.replay.empty()) options.edits = controle::edits_of(controle::read_events(request.replay));
   const auto suite = suite_in_process(request.directory / "logs");
   try {
     const controle::Summary summary = controle::run(options, *suite);

@@ -6,7 +6,6 @@
 
 #include <fstream>
 
-#include "animado/line_reader.hpp"
 #include "animado/restarts.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/running_suite.hpp"
@@ -14,6 +13,7 @@
 #include "animado/terminal.hpp"
 #include "base/error.hpp"
 #include "rpc/common.hpp"
+#include "rpc/line_reader.hpp"
 #include "rpc/one_core.hpp"
 
 namespace animado {
@@ -114,12 +114,25 @@ ExitCode FiveProcesses::run_controle() {
   const rpc::UniqueFd progress(ends[0]);
   rpc::UniqueFd childs_end(ends[1]);
   fcntl(progress.get(), F_SETFL, O_NONBLOCK);
-  Child controle({program("controle"), "--scene", request_.scene, "--out", request_.directory, "--socket-dir",
-                  sockets_.path(), "--progress-fd", std::to_string(childs_end.get())},
-                 logs_ / "controle.stderr", childs_end.get());
+  std::vector<std::string> arguments = {program("controle"),
+                                        "--scene",
+                                        request_.scene,
+                                        "--out",
+                                        request_.directory,
+                                        "--socket-dir",
+                                        sockets_.path(),
+                                        "--progress-fd",
+                                        std::to_string(childs_end.get())};
+  if (!request_.replay.empty()) arguments.insert(arguments.end(), {"--replay", request_.replay});
+  std::vector<int> kept = {childs_end.get()};
+  if (request_.pace_fd >= 0) {
+    arguments.insert(arguments.end(), {"--pace-fd", std::to_string(request_.pace_fd)});
+    kept.push_back(request_.pace_fd);
+  }
+  Child controle(arguments, logs_ / "controle.stderr", kept);
   childs_end.reset();
 
-  LineReader lines(progress.get());
+  rpc::LineReader lines(progress.get());
   bool open = true;
   for (int forwarded = 0; !controle.wait(0);) {
     supervisor_.wait(std::array{controle.pidfd(), open ? progress.get() : -1}, -1);

@@ -1,8 +1,10 @@
 #include "controle/edits.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "controle/preparation.hpp"
 #include "controle/scene/scope.hpp"
 #include "interexpserv/parser.hpp"
 
@@ -65,7 +67,7 @@ Scene edited(const Scene& scene, const std::string& name, const std::string& tex
     changed.bodies[static_cast<size_t>(body)].torques = {expression};
     return changed;
   }
-  if (member == "mass" || member == "local_force") {
+  if (!may_be_edited(name)) {
     throw Error(Code::refused, "`" + name + "` cannot change while the run goes", name,
                 "Edit the force or the torque.");
   }
@@ -76,6 +78,21 @@ Scene edited(const Scene& scene, const std::string& name, const std::string& tex
   } else {
     found->value = expression;
   }
+  return changed;
+}
+
+bool may_be_edited(const std::string& name) {
+  return !name.ends_with(".mass") && !name.ends_with(".local_force");
+}
+
+Scene checked_edit(const Scene& scene, const std::string& name, const std::string& text) {
+  Scene changed = edited(scene, name, text);
+  const SceneScope scope(changed);
+  drives(changed, scope);
+  paths(changed, scope);
+  const bool is_own_name =
+      std::ranges::any_of(changed.names, [&](const Definition& d) { return d.name == name; });
+  if (is_own_name) scope.compile({text, {}, -1});  // nobody may use it yet
   return changed;
 }
 

@@ -19,4 +19,10 @@ std::vector<std::pair<std::string, std::string>> definitions_of(const Scene& sce
 // mass).
 Scene edited(const Scene& scene, const std::string& name, const std::string& text);
 
+// The same, and its expressions are known to compile. Throws Error with what is wrong in `text`.
+Scene checked_edit(const Scene& scene, const std::string& name, const std::string& text);
+
+// Whether a name of definitions_of may change while a run goes.
+bool may_be_edited(const std::string& name);
+
 }  // namespace animado::controle

@@ -58,8 +58,21 @@ void LiveNames::publish() {
   interexpserv::publish(shared_, picture_);
 }
 
-void LiveNames::frame() {
-  publish();
+void LiveNames::replay(std::vector<Event> edits) {
+  to_repeat_ = std::move(edits);
+  repeated_ = 0;
+}
+
+void LiveNames::repeat_edits() {
+  const double time_s = simulation_.stepper().time_s();
+  for (; repeated_ < to_repeat_.size() && to_repeat_[repeated_].time_s <= time_s; ++repeated_) {
+    const Event& edit = to_repeat_[repeated_];
+    call("set", [&] { return client_.set(*edit.name, *edit.value); });
+  }
+}
+
+void LiveNames::take_edits() {
+  repeat_edits();
   const auto changes = call("changes", [&] { return client_.changes(version_); });
   version_ = changes.version;
   for (const interexpserv::NameState& name : changes.names) {

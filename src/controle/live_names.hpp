@@ -21,14 +21,18 @@ class LiveNames {
   // `run` tells this run's array from another's. Edits that took effect go to `report`.
   LiveNames(rpc::Suite& suite, Simulation& simulation, const std::string& run, Report report);
 
-  // At a frame boundary: publishes the state, then takes the edits since the last one. An edit that does not
-  // fit the scene is taken back in the registry, so that what is read there is what acts.
-  void frame();
+  // At a frame boundary: first the state is shown, then the edits since the last frame are taken. An edit
+  // that does not fit the scene is taken back in the registry, so that what is read there is what acts.
+  void publish();
+  void take_edits();
+
+  // From now on `edits` (of events.jsonl, by time) are made again at the frames at which they were made.
+  void replay(std::vector<Event> edits);
 
  private:
   void bind();
   void define();
-  void publish();
+  void repeat_edits();
   void take(const interexpserv::NameState& edited);
   template <class F>
   auto call(const char* message, F&& ask) {
@@ -43,6 +47,8 @@ class LiveNames {
   std::vector<double> picture_;  // t, then 13 rows of N: the state with the angular velocity in world axes
   std::map<std::string, std::string> known_;  // texts that act
   int64_t version_ = 0;
+  std::vector<Event> to_repeat_;
+  size_t repeated_ = 0;
 };
 
 }  // namespace animado::controle

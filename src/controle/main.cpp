@@ -6,6 +6,8 @@
 #include <csignal>
 
 #include "base/error.hpp"
+#include "controle/pace.hpp"
+#include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
 #include "rpc/socket_suite.hpp"
 
@@ -31,7 +33,8 @@ int main(int argc, char** argv) {
       "$XDG_RUNTIME_DIR/animado/colisao");
   controle::RunOptions options;
   rpc::SocketSuite::Options suite_options;
-  int progress_fd = -1;
+  int progress_fd = -1, pace_fd = -1;
+  std::filesystem::path replay;
   app.set_version_flag("--version", ANIMADO_VERSION);
   app.add_option("--scene", options.scene, "the scene's file")->required();
   app.add_option("--out", options.directory, "directory for the results; it must be there")
@@ -39,6 +42,9 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--socket-dir", suite_options.directory, "directory of the run's sockets");
   app.add_option("--progress-fd", progress_fd, "descriptor for a line of progress at each frame");
+  app.add_option("--pace-fd", pace_fd, "descriptor of commands: pause, resume, step, speed S; a line each");
+  app.add_option("--replay", replay, "events.jsonl of an earlier run whose edits are made again")
+      ->check(CLI::ExistingFile);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -53,9 +59,15 @@ int main(int argc, char** argv) {
     const std::string line = progress_line(progress);
     if (progress_fd >= 0 && write(progress_fd, line.data(), line.size()) < 0) progress_fd = -1;
   };
+  std::optional<controle::Pace> pace;
+  if (pace_fd >= 0) {
+    pace.emplace(pace_fd, options.stop);
+    options.pace = [&](double time_s) { pace->wait(time_s); };
+  }
   suite_options.client = "controle";
   suite_options.trace = std::to_string(getpid());
   try {
+    if (!replay.empty()) options.edits = controle::edits_of(controle::read_events(replay));
     rpc::SocketSuite suite(suite_options);
     return controle::run(options, suite).status == controle::RunStatus::interrupted ? 130 : 0;
   } catch (const Error& error) {

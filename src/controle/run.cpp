@@ -6,24 +6,10 @@
 #include "base/hash.hpp"
 #include "controle/live_names.hpp"
 #include "controle/overlap.hpp"
-#include "controle/results/results.hpp"
 #include "controle/simulation.hpp"
 
 namespace animado::controle {
 namespace {
-
-std::vector<ResultBody> result_bodies(const Scene& scene) {
-  std::vector<ResultBody> bodies;
-  for (const Body& body : scene.bodies) {
-    bodies.push_back({body.name,
-                      body.shape,
-                      body.motion,
-                      body.mass_kg,
-                      {body.color.r, body.color.g, body.color.b},
-                      body.rotation_order});
-  }
-  return bodies;
-}
 
 template <class T>
 uint64_t hash_of(T content) {
@@ -98,6 +84,19 @@ void close(Summary& summary, Simulation& simulation, double wall_time_s) {
 
 }  // namespace
 
+std::vector<ResultBody> result_bodies(const Scene& scene) {
+  std::vector<ResultBody> bodies;
+  for (const Body& body : scene.bodies) {
+    bodies.push_back({body.name,
+                      body.shape,
+                      body.motion,
+                      body.mass_kg,
+                      {body.color.r, body.color.g, body.color.b},
+                      body.rotation_order});
+  }
+  return bodies;
+}
+
 Summary run(const RunOptions& options, rpc::Suite& suite) {
   const auto begin = std::chrono::steady_clock::now();
   const auto wall_time_s = [&] {
@@ -110,6 +109,7 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   rpc::Log log("controle", options.directory / "logs" / "controle.log");
   Simulation simulation(scene, suite, options.name, log, [&](const Event& event) { results.event(event); });
   LiveNames names(suite, simulation, options.name, [&](const Event& event) { results.event(event); });
+  names.replay(options.edits);
   Stepper& stepper = simulation.stepper();
   Summary summary = opening(scene, simulation);
 
@@ -127,10 +127,12 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
       const double length_s = frame > 0 ? times[frame] - times[frame - 1] : 0;
       facts = facts_at(times[frame], length_s, facts.steps, summary.energy.initial_J, simulation);
       results.frame(facts, {stepper.state(), kStateRows * scene.bodies.size()});
-      names.frame();
+      names.publish();
       const auto count = [](auto value) { return static_cast<int64_t>(value); };
       options.progress({count(frame + 1), count(times.size()), times[frame], times.back(),
                         count(scene.bodies.size()), stepper.counts().steps, stepper.counts().impacts});
+      options.pace(times[frame]);
+      names.take_edits();
       if (options.stop()) {
         finish(RunStatus::interrupted);
         return summary;

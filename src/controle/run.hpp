@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "controle/progress.hpp"
-#include "controle/results/summary_json.hpp"
+#include "controle/results/results.hpp"
+#include "controle/scene/scene.hpp"
 #include "rpc/channel.hpp"
 
 namespace animado::controle {
@@ -16,8 +18,12 @@ struct RunOptions {
   std::filesystem::path directory;  // where the results are written; it is there already
   std::string name = "run";         // tells this run's shared arrays from another's
   OnProgress progress = [](const Progress&) {};
-  std::function<bool()> stop = [] { return false; };  // asked at every frame: Ctrl-C
+  std::function<void(double time_s)> pace = [](double) {};  // asked at every frame: returns when it may go on
+  std::vector<Event> edits = {};                            // to be made again, of an earlier run's events
+  std::function<bool()> stop = [] { return false; };        // asked at every frame: Ctrl-C
 };
+
+std::vector<ResultBody> result_bodies(const Scene& scene);
 
 // Runs the scene with the other modules of the suite. A motion that diverges (Error diverged) leaves the
 // frames so far and their summary before the error goes on to the caller; so does a lost service. A scene

@@ -17,8 +17,8 @@ constexpr int kLong_ms = 10000;  // never waited for: a bound for a test that fa
 
 class ChildTest : public testing::Test {
  protected:
-  Child shell(const std::string& script, int kept_fd = -1) {
-    return Child({"/bin/sh", "-c", script}, directory_ / "output", kept_fd);
+  Child shell(const std::string& script, const std::vector<int>& kept_fds = {}) {
+    return Child({"/bin/sh", "-c", script}, directory_ / "output", kept_fds);
   }
   TemporaryDirectory directory_;
 };
@@ -82,7 +82,7 @@ TEST_F(ChildTest, KeepsOnlyTheDescriptorThatItIsGiven) {
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   const rpc::UniqueFd reading(ends[0]);
   rpc::UniqueFd writing(ends[1]);
-  Child child = shell("echo hello >&" + std::to_string(writing.get()), writing.get());
+  Child child = shell("echo hello >&" + std::to_string(writing.get()), {writing.get()});
   writing.reset();
   char text[16] = {};
   EXPECT_EQ(read(reading.get(), text, sizeof text), 6);

@@ -54,6 +54,7 @@ class FramesCsv {
   explicit FramesCsv(const std::filesystem::path& file);
 
   void frame(int64_t frame, const FrameFacts& facts);
+  void flush() { file_.flush(); }
   void close() { file_.close(); }
 
  private:

@@ -106,6 +106,11 @@ std::vector<Event> read_events(const std::filesystem::path& file) {
   return events;
 }
 
+std::vector<Event> edits_of(std::vector<Event> events) {
+  std::erase_if(events, [](const Event& event) { return event.kind != EventKind::edit; });
+  return events;
+}
+
 RecordedRun read_run(const std::filesystem::path& directory) {
   const auto text = [&](const char* name) { return read_text((directory / name).string()); };
   if (!std::filesystem::exists(directory / "states.csv")) {

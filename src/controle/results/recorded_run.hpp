@@ -35,4 +35,6 @@ struct RecordedRun {
 RecordedRun read_run(const std::filesystem::path& directory);
 std::vector<Event> read_events(const std::filesystem::path& file);  // events.jsonl
 
+std::vector<Event> edits_of(std::vector<Event> events);
+
 }  // namespace animado::controle

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "controle/results/bodies_json.hpp"
-
 namespace animado::controle {
 namespace {
 
@@ -20,14 +18,14 @@ std::vector<AnimatedBody> nodes_of(const std::vector<ResultBody>& bodies) {
   return nodes;
 }
 
+}  // namespace
+
 std::vector<RecordedBody> recorded(const std::vector<ResultBody>& bodies) {
   std::vector<RecordedBody> all;
   for (const ResultBody& body : bodies)
     all.push_back({body.name, body.motion, body.mass_kg, body.color_srgb, body.shape});
   return all;
 }
-
-}  // namespace
 
 Results::Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies,
                  std::string_view scene_text)
@@ -44,6 +42,8 @@ void Results::frame(const FrameFacts& facts, std::span<const double> state) {
   states_.frame(frames_, facts.time_s, state);
   frames_table_.frame(frames_++, facts);
   animation_.frame(facts.time_s, state);
+  states_.flush();
+  frames_table_.flush();
   events_.flush();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "controle/results/animation_glb.hpp"
+#include "controle/results/bodies_json.hpp"
 #include "controle/results/events_jsonl.hpp"
 #include "controle/results/frames_csv.hpp"
 #include "controle/results/states_csv.hpp"
@@ -24,6 +25,8 @@ struct ResultBody {
   Vec3 color_srgb = Vec3::Constant(0.7);     // each in 0 … 1, as CSS means them
   RotationOrder rotation_order = {0, 1, 2};  // of its Euler angles in the table
 };
+
+std::vector<RecordedBody> recorded(const std::vector<ResultBody>& bodies);
 
 class Results {
  public:

@@ -27,6 +27,7 @@ class StatesCsv {
 
   // state: shape (13, bodies), rows as in base/state.hpp. In the file the angular velocity is in world axes.
   void frame(int64_t frame, double time_s, std::span<const double> state);
+  void flush() { file_.flush(); }
   void close() { file_.close(); }
 
  private:

@@ -25,6 +25,9 @@ TableReader::TableReader(std::filesystem::path file, std::string_view header)
   if (take_until(rest_, '\n') != header) refuse("another header");
 }
 
+TableReader::TableReader(std::string rows, std::filesystem::path file)
+    : file_(std::move(file)), text_(std::move(rows)), rest_(text_) {}
+
 bool TableReader::next_row() {
   if (rest_.empty()) return false;
   row_ = take_until(rest_, '\n');

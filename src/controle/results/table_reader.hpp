@@ -13,6 +13,8 @@ class TableReader {
  public:
   // Reads the file whole. Throws Error when it cannot, or when its first line is not `header`.
   TableReader(std::filesystem::path file, std::string_view header);
+  // Reads rows that came without the header.
+  TableReader(std::string rows, std::filesystem::path file);
 
   // The next row; false at the end. The cells below are taken from it, from left to right.
   bool next_row();

@@ -34,6 +34,7 @@ constexpr std::string_view kTurned =
 }  // namespace
 
 std::string vector_sum(const std::vector<Expression>& expressions) {
+  if (expressions.size() == 1) return expressions.front().text;
   std::string text;
   for (const Expression& expression : expressions)
     text += (text.empty() ? "(" : " + (") + expression.text + ")";
@@ -68,7 +69,7 @@ std::optional<Symbol> SceneScope::find(std::string_view folded_name) const {
 
 interexpserv::Definition SceneScope::force_of(const Body& body) const {
   std::string text = vector_sum(body.forces);
-  if (!body.local_forces.empty()) text += " + " + std::string(kTurned);
+  if (!body.local_forces.empty()) text = fmt::format("({}) + {}", text, kTurned);
   return {body.folded_name + ".force", std::move(text), body.folded_name};
 }
 

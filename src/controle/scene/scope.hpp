@@ -36,7 +36,7 @@ class SceneScope : public interexpserv::Scope {
   StateNames names_;
 };
 
-// "(a) + (b)", or the zero vector: the text of a property whose lines add up.
+// "a", "(a) + (b)", or the zero vector: the text of a property whose lines add up.
 std::string vector_sum(const std::vector<Expression>& expressions);
 
 // Compiles an expression that stands in a file. home: the object whose prefix may be left out; may be empty.

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <string>
 
-namespace animado {
+namespace animado::rpc {
 
 class LineReader {
  public:
@@ -33,4 +33,4 @@ class LineReader {
   std::string pending_;
 };
 
-}  // namespace animado
+}  // namespace animado::rpc
