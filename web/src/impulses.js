@@ -1,0 +1,87 @@
+// What happened just now, where it happened: a dot at the point of contact, and an arrow along the impulse on the
+// first of the two bodies. The longest arrow is the run's largest impulse.
+
+import {
+  ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, SphereGeometry,
+  Vector3,
+} from "three";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+
+const SHOWN_AT_ONCE = 256;
+const UP = new Vector3(0, 1, 0);
+
+export class Impulses extends Group {
+  #events;
+  #largest_N_s = 0;
+  #measured = 0;
+  #dots;
+  #arrows;
+  #matrix = new Matrix4();
+  #turn = new Quaternion();
+
+  /** @param {object[]} events in the order of time; a live run appends to them */
+  constructor(events) {
+    super();
+    this.#events = events;
+    // Seen through bodies: contacts lie between two of them.
+    const ink = new MeshBasicMaterial({ depthTest: false, transparent: true });
+    this.material = ink;
+    this.#dots = new InstancedMesh(new SphereGeometry(1, 16, 10), ink, SHOWN_AT_ONCE);
+    this.#arrows = new InstancedMesh(arrow(), ink, SHOWN_AT_ONCE);
+    for (const mesh of [this.#dots, this.#arrows]) {
+      mesh.frustumCulled = false;
+      mesh.renderOrder = 2;
+      this.add(mesh);
+    }
+  }
+
+  /** @param {number} window_s how long an event stays to be seen  @param {number} size_m of the longest arrow */
+  show(time_s, window_s, size_m) {
+    for (; this.#measured < this.#events.length; ++this.#measured) {
+      this.#largest_N_s = Math.max(this.#largest_N_s, length(this.#events[this.#measured].impulse_N_s));
+    }
+    this.#dots.count = this.#arrows.count = 0;
+    for (let i = lastBefore(this.#events, time_s); i >= 0 && this.#dots.count < SHOWN_AT_ONCE; --i) {
+      const event = this.#events[i];
+      if (event.time_s < time_s - window_s) break;
+      if (event.point_m) this.#put(event, size_m);
+    }
+    this.#dots.instanceMatrix.needsUpdate = this.#arrows.instanceMatrix.needsUpdate = true;
+  }
+
+  #put(event, size_m) {
+    const point = new Vector3(...event.point_m);
+    const dot_m = size_m / 28;
+    this.#matrix.makeScale(dot_m, dot_m, dot_m).setPosition(point);
+    this.#dots.setMatrixAt(this.#dots.count++, this.#matrix);
+    const impulse_N_s = length(event.impulse_N_s);
+    if (!impulse_N_s) return;
+    // A small impulse still has a direction that can be seen.
+    const long_m = size_m * Math.max(0.12, impulse_N_s / this.#largest_N_s);
+    const wide_m = Math.min(size_m, 2.5 * long_m);
+    this.#turn.setFromUnitVectors(UP, new Vector3(...event.impulse_N_s).normalize());
+    this.#matrix.compose(point, this.#turn, new Vector3(wide_m, long_m, wide_m));
+    this.#arrows.setMatrixAt(this.#arrows.count++, this.#matrix);
+  }
+}
+
+const length = (vector) => (vector ? Math.hypot(...vector) : 0);
+
+/** The index of the last event at or before a time; −1 when there is none. */
+export function lastBefore(events, time_s) {
+  let low = -1;
+  let high = events.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (events[middle].time_s <= time_s) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+// From the origin up, one long.
+function arrow() {
+  const shaft = new CylinderGeometry(0.014, 0.014, 0.8, 10).translate(0, 0.4, 0);
+  const head = new ConeGeometry(0.05, 0.22, 16).translate(0, 0.89, 0);
+  return mergeGeometries([shaft, head]);
+}

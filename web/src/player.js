@@ -1,0 +1,159 @@
+// The picture of the motion. It draws when something changed and rests otherwise; while the clock plays, it is what
+// makes the clock go.
+
+import { Color, Raycaster, Scene, Vector2, WebGLRenderer } from "three";
+import { Bodies } from "./bodies.js";
+import { BoundingBoxes } from "./bounding_boxes.js";
+import { motionBounds } from "./bounds.js";
+import { Camera } from "./camera.js";
+import { Impulses } from "./impulses.js";
+import { bracket, pose } from "./interpolate.js";
+import { Stage } from "./stage.js";
+import { colorOf } from "./theme.js";
+import { Trails } from "./trails.js";
+
+const SHARPEST = 1.5;       // screen pixels a CSS pixel; beyond, the eye gains little and the graphics lose much
+const IMPULSE_SEEN_S = 0.4;  // in front of the screen, at any speed
+const CLICK_PX = 4;          // a pointer that moved farther was turning the camera
+const SLOWEST_S = 0.25;      // a page that was hidden does not leap forward when it is back
+
+export class Player {
+  show = { trails: true, boxes: false, impulses: true, follow: false };
+  drawn = 0;  // pictures so far
+  #renderer;
+  #scene = new Scene();
+  #run;
+  #clock;
+  #choice;
+  #poses;
+  #waiting = 0;
+  #before_ms = 0;
+  #moved = true;
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {{bodies: object[], motion: object, events: object[]}} run
+   * @param {import("./choice.js").Choice} choice the body that the reader looks at
+   */
+  constructor(canvas, run, clock, choice) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.autoUpdate = false;
+    this.#run = run;
+    this.#clock = clock;
+    this.#choice = choice;
+    this.#poses = new Float32Array(7 * run.bodies.length);
+    this.camera = new Camera(canvas, () => this.invalidate());
+    this.stage = new Stage(run.bodies, run.motion);
+    this.bodies = new Bodies(run.bodies);
+    this.boxes = new BoundingBoxes(run.bodies);
+    this.trails = new Trails(run.bodies, run.motion);
+    this.impulses = new Impulses(run.events);
+    this.#scene.add(this.stage, this.bodies, this.boxes, this.trails, this.impulses);
+    this.#listen(canvas);
+  }
+
+  #listen(canvas) {
+    for (const kind of ["time", "state"]) this.#clock.addEventListener(kind, () => this.changed());
+    this.#choice.addEventListener("change", () => this.changed());
+    new ResizeObserver(() => this.#resize(canvas)).observe(canvas.parentElement);
+    let down = null;
+    canvas.addEventListener("pointerdown", (event) => (down = event));
+    canvas.addEventListener("pointerup", (event) => {
+      const moved_px = down ? Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) : Infinity;
+      if (moved_px <= CLICK_PX) this.#pick(canvas, event);
+    });
+  }
+
+  #resize(canvas) {
+    const { clientWidth: width, clientHeight: height } = canvas.parentElement;
+    if (!width || !height) return;
+    this.#renderer.setPixelRatio(Math.min(SHARPEST, devicePixelRatio));
+    this.#renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (!this.camera.touched) this.fit();
+    this.invalidate();
+  }
+
+  #pick(canvas, event) {
+    const box = canvas.getBoundingClientRect();
+    const x = ((event.clientX - box.left) / box.width) * 2 - 1;
+    const y = 1 - ((event.clientY - box.top) / box.height) * 2;
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(x, y), this.camera);
+    const body = this.bodies.pick(ray);
+    if (body !== null) this.#choice.choose(body);
+  }
+
+  /** The whole motion in view. */
+  fit() {
+    if (!this.#run.motion.frames) return;
+    const box = motionBounds(this.#run.bodies, this.#run.motion);
+    this.camera.fit(box);
+    this.stage.fit(box);
+    this.paint();
+  }
+
+  /** A live run goes where nobody could know: the view widens with it, unless the reader has turned it. */
+  refitIfNeeded() {
+    if (this.camera.touched || this.show.follow) return;
+    const { low, high } = motionBounds(this.#run.bodies, this.#run.motion);
+    if (Math.hypot(...high.map((value, i) => value - low[i])) / 2 > 1.05 * this.camera.radius_m) this.fit();
+  }
+
+  /** Takes the page's colours anew. */
+  paint() {
+    this.stage.paint(this.#scene, 5 * this.camera.radius_m, 22 * this.camera.radius_m);
+    this.boxes.material.color = new Color(colorOf("--accent"));
+    this.impulses.material.color = new Color(colorOf("--impulse"));
+    this.changed();
+  }
+
+  /** Bodies are elsewhere: their shadows too. */
+  changed() {
+    this.#moved = true;
+    this.invalidate();
+  }
+
+  invalidate() {
+    this.#waiting ||= requestAnimationFrame((now_ms) => this.#frame(now_ms));
+  }
+
+  #frame(now_ms) {
+    this.#waiting = 0;
+    if (this.#clock.playing) {
+      const elapsed_s = this.#before_ms ? (now_ms - this.#before_ms) / 1000 : 0;
+      this.#before_ms = now_ms;
+      this.#clock.advance(Math.min(SLOWEST_S, elapsed_s));
+      this.changed();
+    } else {
+      this.#before_ms = 0;
+    }
+    this.#draw();
+  }
+
+  #draw() {
+    if (!this.#run.motion.frames) return;
+    if (this.#moved) this.#place();
+    this.#renderer.shadowMap.needsUpdate = this.#moved;
+    this.#moved = false;
+    this.#renderer.render(this.#scene, this.camera);
+    ++this.drawn;
+  }
+
+  #place() {
+    const { bodies, motion } = this.#run;
+    const now = bracket(motion.times_s, this.#clock.time_s);
+    for (let body = 0; body < bodies.length; ++body) pose(motion, body, now, this.#poses, 7 * body);
+    this.bodies.show(this.#poses);
+    this.camera.follow(this.show.follow ? this.#choice.body : null, this.#poses);
+    this.boxes.show(this.#poses, this.show.boxes ? bodies.keys() : [this.#choice.body]);
+    this.trails.visible = this.show.trails;
+    if (this.show.trails) this.trails.show(now.frame, this.#poses, this.#choice.body);
+    this.impulses.visible = this.show.impulses;
+    if (this.show.impulses) {
+      this.impulses.show(this.#clock.time_s, IMPULSE_SEEN_S * this.#clock.speed, 0.6 * this.camera.radius_m);
+    }
+  }
+}

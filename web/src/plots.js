@@ -1,0 +1,70 @@
+// The plots under one cursor.
+
+import { oncePerFrame } from "./dom.js";
+import { Plot } from "./plot.js";
+import { bodyPlots, scenePlots } from "./series.js";
+
+const VALUES_EVERY_MS = 120;  // while it plays: numbers that change faster cannot be read
+
+export class Plots {
+  #run;
+  #clock;
+  #choice;
+  #plots = new Map();
+  #place;
+  #told_ms = 0;
+  #seen = new Set();
+  #watch;
+
+  constructor(place, run, clock, choice) {
+    this.#place = place;
+    this.#run = run;
+    this.#clock = clock;
+    this.#choice = choice;
+    const update = oncePerFrame(() => this.#showTime());
+    this.#watch = new IntersectionObserver((entries) => {
+      for (const { target, isIntersecting } of entries) this.#seen[isIntersecting ? "add" : "delete"](target);
+      update();
+    });
+    for (const kind of ["time", "state"]) clock.addEventListener(kind, update);
+    choice.addEventListener("change", () => this.refresh());
+    this.refresh();
+  }
+
+  /** Reads the run again: another body was chosen, or a live run has grown. */
+  refresh() {
+    const { motion, bodies } = this.#run;
+    if (!motion.frames) return;
+    const body = this.#choice.body;
+    const wanted = [...scenePlots(motion.facts), ...bodyPlots(motion, body, bodies[body].name)];
+    for (const data of wanted) this.#plot(data.id).setData(motion.times_s, data);
+    this.#told_ms = 0;
+    this.#showTime();
+  }
+
+  #plot(id) {
+    if (!this.#plots.has(id)) {
+      const plot = new Plot(id, this.#clock);
+      this.#plots.set(id, plot);
+      this.#place.append(plot.node);
+      this.#watch.observe(plot.node);
+    }
+    return this.#plots.get(id);
+  }
+
+  /** Takes the page's colours anew. */
+  paint() {
+    for (const plot of this.#plots.values()) plot.draw();
+    this.#told_ms = 0;
+    this.#showTime();
+  }
+
+  #showTime() {
+    const now_ms = performance.now();
+    const with_values = !this.#clock.playing || now_ms - this.#told_ms > VALUES_EVERY_MS;
+    if (with_values) this.#told_ms = now_ms;
+    for (const plot of this.#plots.values()) {
+      if (this.#seen.has(plot.node)) plot.showTime(this.#clock.time_s, with_values);
+    }
+  }
+}

@@ -1,0 +1,128 @@
+// What the bodies stand on and are lit by: a sun with soft shadows, the sky's light, the scene's planes, a floor of
+// lines. A scene without a level plane gets the lines and the shadows at the lowest point of its motion, to tell
+// heights by.
+
+import {
+  Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshLambertMaterial, PlaneGeometry,
+  Quaternion, ShadowMaterial, Vector3,
+} from "three";
+import { colorOf } from "./theme.js";
+
+const UP = new Vector3(0, 1, 0);
+const SHADOW_PIXELS = 1024;
+
+export class Stage extends Group {
+  #sun = new DirectionalLight(0xffffff, 2.2);
+  #sky = new HemisphereLight(0xffffff, 0x777770, 1.5);
+  #floor = new Group();
+  #planes = [];
+  #bodies;
+  #motion;
+
+  constructor(bodies, motion) {
+    super();
+    this.#bodies = bodies;
+    this.#motion = motion;
+    this.#sun.castShadow = true;
+    this.#sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    this.#sun.shadow.radius = 3;
+    this.#sun.shadow.intensity = 0.75;
+    this.add(this.#sun, this.#sun.target, this.#sky, this.#floor);
+  }
+
+  /** @param {{low: number[], high: number[]}} box around the motion */
+  fit(box) {
+    const low = new Vector3(...box.low);
+    const high = new Vector3(...box.high);
+    const center = low.clone().add(high).multiplyScalar(0.5);
+    const radius_m = low.distanceTo(high) / 2;
+    this.#aim(center, radius_m);
+    this.#build(center, radius_m, box.low[1]);
+  }
+
+  #aim(center, radius_m) {
+    this.#sun.position.copy(center).addScaledVector(new Vector3(0.45, 1, 0.35).normalize(), 3 * radius_m);
+    this.#sun.target.position.copy(center);
+    const { camera } = this.#sun.shadow;
+    camera.left = camera.bottom = -1.4 * radius_m;
+    camera.right = camera.top = 1.4 * radius_m;
+    camera.near = radius_m;
+    camera.far = 6 * radius_m;
+    camera.updateProjectionMatrix();
+    this.#sun.shadow.normalBias = radius_m / 200;
+  }
+
+  #build(center, radius_m, lowest_m) {
+    this.#floor.clear();
+    this.#planes = [];
+    const extent_m = 24 * radius_m;
+    let level = false;
+    this.#bodies.forEach((body, index) => {
+      if (body.shape.kind !== "plane") return;
+      const { normal, point } = this.#plane(body.shape, index, center);
+      const up = normal.y > 0.5;
+      this.#place(this.#surface(extent_m, body.color), normal, point);
+      if (up) this.#place(lines(extent_m, radius_m), normal, point.addScaledVector(normal, radius_m / 1000));
+      level ||= up;
+    });
+    if (level) return;
+    const point = new Vector3(center.x, lowest_m, center.z);
+    const shadow = new Mesh(level_square(extent_m), new ShadowMaterial({ opacity: 0.18 }));
+    shadow.receiveShadow = true;
+    this.#place(shadow, UP, point);
+    this.#place(lines(extent_m, radius_m), UP, point);
+  }
+
+  // The plane's normal in the world and its point that is nearest to the middle of the motion.
+  #plane(shape, index, center) {
+    const q = [0, 0, 0, 0];
+    const place = [0, 0, 0];
+    this.#motion.rotation(index, 0, q);
+    this.#motion.position(index, 0, place);
+    const normal = new Vector3(...shape.normal).normalize().applyQuaternion(new Quaternion(q[1], q[2], q[3], q[0]));
+    const offset_m = shape.offset_m + normal.dot(new Vector3(...place));
+    return { normal, point: center.clone().addScaledVector(normal, offset_m - normal.dot(center)) };
+  }
+
+  #surface(extent_m, color) {
+    const mesh = new Mesh(level_square(extent_m), new MeshLambertMaterial());
+    mesh.userData.color = new Color().setRGB(...color, "srgb");
+    mesh.receiveShadow = true;
+    this.#planes.push(mesh);
+    return mesh;
+  }
+
+  #place(object, normal, point) {
+    object.quaternion.setFromUnitVectors(UP, normal);
+    object.position.copy(point);
+    this.#floor.add(object);
+  }
+
+  /** Takes the page's colours. Planes are hardly tinted: they are the paper that the bodies are drawn on. */
+  paint(scene, near_m, far_m) {
+    const paper = new Color(colorOf("--stage"));
+    const ink = new Color(colorOf("--stage-line"));
+    scene.background = paper;
+    scene.fog = new Fog(paper, near_m, far_m);
+    for (const plane of this.#planes) plane.material.color.copy(paper).lerp(plane.userData.color, 0.12);
+    for (const object of this.#floor.children) if (object.isLineSegments) object.material.color.copy(ink);
+  }
+}
+
+const level_square = (extent_m) => new PlaneGeometry(extent_m, extent_m).rotateX(-Math.PI / 2);
+
+// Lines 1, 2 or 5 times a power of ten apart.
+function lines(extent_m, radius_m) {
+  const step_m = niceStep(radius_m / 3);
+  const cells = Math.min(200, 2 * Math.ceil(extent_m / step_m / 2));
+  const grid = new GridHelper(cells * step_m, cells, 0xffffff, 0xffffff);
+  grid.material.vertexColors = false;
+  return grid;
+}
+
+/** The largest of 1, 2, 5 × 10^n that is not above a length. */
+export function niceStep(length_m) {
+  const power = 10 ** Math.floor(Math.log10(length_m));
+  const lead = length_m / power;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
