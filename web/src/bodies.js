@@ -1,7 +1,7 @@
 // The bodies, drawn a kind of shape at a time: a thousand of them cost a few draw calls.
 
 import { Color, Group, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, Vector3 } from "three";
-import { fineness, solid } from "./shapes.js";
+import { solid } from "./shapes.js";
 
 const flat = new MeshLambertMaterial();
 const marked = markOctants(new MeshLambertMaterial());
@@ -13,24 +13,24 @@ export class Bodies extends Group {
   #turn = new Quaternion();
   #scale = new Vector3();
 
-  /** @param {object[]} bodies as in bodies.json; planes are the stage's */
-  constructor(bodies) {
+  /** @param {object[]} bodies as in bodies.json; planes are the stage's  @param graphics how finely to draw */
+  constructor(bodies, graphics) {
     super();
-    const fine = fineness(bodies.length);
     const alike = new Map();
     bodies.forEach((body, index) => {
       if (body.shape.kind === "plane") return;
-      const form = solid(body.shape, fine);
+      const form = solid(body.shape, graphics);
       if (!alike.has(form.key)) alike.set(form.key, { form, members: [] });
       alike.get(form.key).members.push({ index, scale: form.scale, color: body.color });
     });
-    for (const { form, members } of alike.values()) this.#draw(form, members);
+    for (const { form, members } of alike.values()) this.#draw(form, members, graphics.soft);
   }
 
-  #draw(form, members) {
+  #draw(form, members, soft) {
     const mesh = new InstancedMesh(form.geometry(), form.curved ? marked : flat, members.length);
     members.forEach(({ color }, i) => mesh.setColorAt(i, new Color().setRGB(...color, "srgb")));
-    mesh.castShadow = mesh.receiveShadow = true;
+    mesh.castShadow = true;
+    mesh.receiveShadow = soft;
     mesh.frustumCulled = false;
     mesh.userData.members = members;
     this.#meshes.push(mesh);

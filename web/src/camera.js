@@ -5,6 +5,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 const FROM = new Vector3(0.55, 0.42, 1).normalize();
 const UPRIGHT_DEG = 35;
+const MARGIN = 1.08;
 
 export class Camera extends PerspectiveCamera {
   controls;
@@ -35,9 +36,7 @@ export class Camera extends PerspectiveCamera {
     const high = new Vector3(...box.high);
     this.#center.copy(low).add(high).multiplyScalar(0.5);
     this.#radius_m = low.distanceTo(high) / 2;
-    const half = (UPRIGHT_DEG * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.aspect));
-    this.#lookFrom(this.#center, FROM, (0.92 * this.#radius_m) / Math.sin(narrow));
+    this.#lookFrom(this.#center, FROM, this.#distanceToSee(low, high));
     this.near = this.#radius_m / 100;
     this.far = this.#radius_m * 100;
     this.controls.minDistance = this.#radius_m / 20;
@@ -45,6 +44,21 @@ export class Camera extends PerspectiveCamera {
     this.updateProjectionMatrix();
     this.touched = false;
     this.#followed = null;
+  }
+
+  // From how far the eight corners of the box are inside the picture, seen along FROM.
+  #distanceToSee(low, high) {
+    const tangent = Math.tan((UPRIGHT_DEG * Math.PI) / 360);
+    const right = new Vector3(0, 1, 0).cross(FROM).normalize();
+    const up = FROM.clone().cross(right);
+    let distance_m = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = new Vector3(corner & 1 ? low.x : high.x, corner & 2 ? low.y : high.y, corner & 4 ? low.z : high.z);
+      at.sub(this.#center);
+      const aside = Math.max(Math.abs(at.dot(right)) / this.aspect, Math.abs(at.dot(up)));
+      distance_m = Math.max(distance_m, at.dot(FROM) + (MARGIN * aside) / tangent);
+    }
+    return distance_m;
   }
 
   #lookFrom(target, direction, distance_m) {

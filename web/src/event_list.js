@@ -3,7 +3,7 @@
 import { element, oncePerFrame } from "./dom.js";
 import { eventText, KINDS } from "./event_text.js";
 import { count, seconds } from "./format.js";
-import { lastBefore } from "./impulses.js";
+import { lastBefore } from "./moments.js";
 import { ROW_PX, visibleRows } from "./rows.js";
 
 export class EventList {

@@ -6,8 +6,9 @@ import {
   Vector3,
 } from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { lastBefore } from "./moments.js";
 
-const SHOWN_AT_ONCE = 256;
+const SHOWN_AT_ONCE = 64;  // the newest; more arrows than that hide each other and the bodies
 const UP = new Vector3(0, 1, 0);
 
 export class Impulses extends Group {
@@ -26,7 +27,7 @@ export class Impulses extends Group {
     // Seen through bodies: contacts lie between two of them.
     const ink = new MeshBasicMaterial({ depthTest: false, transparent: true });
     this.material = ink;
-    this.#dots = new InstancedMesh(new SphereGeometry(1, 16, 10), ink, SHOWN_AT_ONCE);
+    this.#dots = new InstancedMesh(new SphereGeometry(1, 12, 8), ink, SHOWN_AT_ONCE);
     this.#arrows = new InstancedMesh(arrow(), ink, SHOWN_AT_ONCE);
     for (const mesh of [this.#dots, this.#arrows]) {
       mesh.frustumCulled = false;
@@ -51,7 +52,7 @@ export class Impulses extends Group {
 
   #put(event, size_m) {
     const point = new Vector3(...event.point_m);
-    const dot_m = size_m / 28;
+    const dot_m = size_m / 34;
     this.#matrix.makeScale(dot_m, dot_m, dot_m).setPosition(point);
     this.#dots.setMatrixAt(this.#dots.count++, this.#matrix);
     const impulse_N_s = length(event.impulse_N_s);
@@ -67,21 +68,9 @@ export class Impulses extends Group {
 
 const length = (vector) => (vector ? Math.hypot(...vector) : 0);
 
-/** The index of the last event at or before a time; −1 when there is none. */
-export function lastBefore(events, time_s) {
-  let low = -1;
-  let high = events.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (events[middle].time_s <= time_s) low = middle;
-    else high = middle - 1;
-  }
-  return low;
-}
-
 // From the origin up, one long.
 function arrow() {
-  const shaft = new CylinderGeometry(0.014, 0.014, 0.8, 10).translate(0, 0.4, 0);
-  const head = new ConeGeometry(0.05, 0.22, 16).translate(0, 0.89, 0);
+  const shaft = new CylinderGeometry(0.014, 0.014, 0.8, 8).translate(0, 0.4, 0);
+  const head = new ConeGeometry(0.05, 0.22, 12).translate(0, 0.89, 0);
   return mergeGeometries([shaft, head]);
 }

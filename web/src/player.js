@@ -1,25 +1,28 @@
 // The picture of the motion. It draws when something changed and rests otherwise; while the clock plays, it is what
 // makes the clock go.
 
-import { Color, Raycaster, Scene, Vector2, WebGLRenderer } from "three";
+import { BasicShadowMap, Color, PCFShadowMap, Raycaster, Scene, Vector2, WebGLRenderer } from "three";
 import { Bodies } from "./bodies.js";
 import { BoundingBoxes } from "./bounding_boxes.js";
-import { motionBounds } from "./bounds.js";
+import { motionBounds, reachRadius } from "./bounds.js";
 import { Camera } from "./camera.js";
+import { graphics } from "./graphics.js";
 import { Impulses } from "./impulses.js";
-import { bracket, pose } from "./interpolate.js";
+import { pose } from "./interpolate.js";
+import { bracket } from "./moments.js";
 import { Stage } from "./stage.js";
 import { colorOf } from "./theme.js";
 import { Trails } from "./trails.js";
 
-const SHARPEST = 1.5;       // screen pixels a CSS pixel; beyond, the eye gains little and the graphics lose much
 const IMPULSE_SEEN_S = 0.4;  // in front of the screen, at any speed
+const ARROW_RADII = 4;       // the longest arrow, in radii of the largest body
 const CLICK_PX = 4;          // a pointer that moved farther was turning the camera
 const SLOWEST_S = 0.25;      // a page that was hidden does not leap forward when it is back
 
 export class Player {
   show = { trails: true, boxes: false, impulses: true, follow: false };
   drawn = 0;  // pictures so far
+  #graphics;
   #renderer;
   #scene = new Scene();
   #run;
@@ -29,6 +32,7 @@ export class Player {
   #waiting = 0;
   #before_ms = 0;
   #moved = true;
+  #largest_m;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -36,16 +40,19 @@ export class Player {
    * @param {import("./choice.js").Choice} choice the body that the reader looks at
    */
   constructor(canvas, run, clock, choice) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#graphics = graphics(run.bodies.length);
+    this.#renderer = new WebGLRenderer({ canvas, antialias: this.#graphics.antialias });
     this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.type = this.#graphics.soft ? PCFShadowMap : BasicShadowMap;
     this.#renderer.shadowMap.autoUpdate = false;
     this.#run = run;
     this.#clock = clock;
     this.#choice = choice;
+    this.#largest_m = Math.max(...run.bodies.map(({ shape }) => reachRadius(shape)));
     this.#poses = new Float32Array(7 * run.bodies.length);
     this.camera = new Camera(canvas, () => this.invalidate());
-    this.stage = new Stage(run.bodies, run.motion);
-    this.bodies = new Bodies(run.bodies);
+    this.stage = new Stage(run.bodies, run.motion, this.#graphics.shadow_px);
+    this.bodies = new Bodies(run.bodies, this.#graphics);
     this.boxes = new BoundingBoxes(run.bodies);
     this.trails = new Trails(run.bodies, run.motion);
     this.impulses = new Impulses(run.events);
@@ -68,7 +75,7 @@ export class Player {
   #resize(canvas) {
     const { clientWidth: width, clientHeight: height } = canvas.parentElement;
     if (!width || !height) return;
-    this.#renderer.setPixelRatio(Math.min(SHARPEST, devicePixelRatio));
+    this.#renderer.setPixelRatio(Math.min(this.#graphics.sharpest, devicePixelRatio));
     this.#renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -136,7 +143,8 @@ export class Player {
   #draw() {
     if (!this.#run.motion.frames) return;
     if (this.#moved) this.#place();
-    this.#renderer.shadowMap.needsUpdate = this.#moved;
+    const shadows = !this.#clock.playing || this.drawn % this.#graphics.shadow_every === 0;
+    this.#renderer.shadowMap.needsUpdate = this.#moved && shadows;
     this.#moved = false;
     this.#renderer.render(this.#scene, this.camera);
     ++this.drawn;
@@ -153,7 +161,8 @@ export class Player {
     if (this.show.trails) this.trails.show(now.frame, this.#poses, this.#choice.body);
     this.impulses.visible = this.show.impulses;
     if (this.show.impulses) {
-      this.impulses.show(this.#clock.time_s, IMPULSE_SEEN_S * this.#clock.speed, 0.6 * this.camera.radius_m);
+      const longest_m = Math.min(0.6 * this.camera.radius_m, ARROW_RADII * this.#largest_m);
+      this.impulses.show(this.#clock.time_s, IMPULSE_SEEN_S * this.#clock.speed, longest_m);
     }
   }
 }

@@ -4,7 +4,7 @@
 import uPlot from "uplot";
 import { element } from "./dom.js";
 import { quantity } from "./format.js";
-import { nearest } from "./interpolate.js";
+import { nearest } from "./moments.js";
 import { colorOf } from "./theme.js";
 
 const HEIGHT_PX = 150;

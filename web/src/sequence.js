@@ -4,8 +4,8 @@ import { element, svg } from "./dom.js";
 import { count, plural, quantity } from "./format.js";
 import { layout, MODULES } from "./sequence_layout.js";
 
-const LEFT_PX = 92;
-const LANE_PX = 132;
+const LEFT_PX = 72;
+const LANE_PX = 112;
 const TOP_PX = 40;
 const ROW_PX = 19;
 const SHOWN = 200;  // messages; a crowded step has thousands, and they are more of the same
@@ -51,7 +51,7 @@ const arrowheads = () =>
 function lifeline(module, height) {
   const x = laneOf(module);
   return svg("g", { class: "lifeline" },
-    svg("rect", { x: x - 52, y: 8, width: 104, height: 24, rx: 4 }),
+    svg("rect", { x: x - 50, y: 8, width: 100, height: 24, rx: 4 }),
     svg("text", { x, y: 24, "text-anchor": "middle" }, module),
     svg("line", { x1: x, x2: x, y1: 32, y2: height }));
 }
@@ -61,7 +61,7 @@ function arrow({ kind, at_us, from, to, text }, y) {
   const end = laneOf(to);
   const side = Math.sign(end - start);
   return svg("g", { class: kind },
-    svg("text", { class: "at", x: LEFT_PX - 14, y: y + 4, "text-anchor": "end" }, `${at_us.toFixed(1)} µs`),
+    svg("text", { class: "at", x: LEFT_PX - 8, y: y + 4, "text-anchor": "end" }, `${at_us.toFixed(1)} µs`),
     svg("line", { x1: start + 4 * side, x2: end - 4 * side, y1: y, y2: y, "marker-end": `url(#head-${kind})` }),
     svg("text", { x: start + 10 * side, y: y - 4, "text-anchor": side > 0 ? "start" : "end" }, text));
 }

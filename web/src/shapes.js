@@ -5,14 +5,8 @@ import {
   SphereGeometry,
 } from "three";
 
-/** How finely curved shapes are cut: many bodies are small on the screen, and few triangles each are enough. */
-export function fineness(bodies) {
-  if (bodies <= 60) return { around: 48, along: 32 };
-  if (bodies <= 300) return { around: 24, along: 16 };
-  return { around: 14, along: 8 };
-}
-
 /**
+ * @param {{around: number, along: number}} fineness into how many facets curved shapes are cut
  * @returns {{key: string, scale: number[], curved: boolean, geometry: () => BufferGeometry}} bodies of one key are
  * drawn together
  */
@@ -33,7 +27,7 @@ export function solid(shape, { around, along }) {
     case "capsule": {  // its caps stay round only when it is scaled alike in all directions
       const slimness = height / radius;
       return { key: `capsule ${slimness.toPrecision(6)}`, scale: [radius, radius, radius], curved: true,
-               geometry: () => new CapsuleGeometry(1, slimness, along / 2, around) };
+               geometry: () => new CapsuleGeometry(1, slimness, Math.ceil(along / 2), around) };
     }
     case "hull":
       return { key: JSON.stringify(shape), scale: [1, 1, 1], curved: false, geometry: () => hull(shape) };

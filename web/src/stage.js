@@ -3,13 +3,13 @@
 // heights by.
 
 import {
-  Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshLambertMaterial, PlaneGeometry,
-  Quaternion, ShadowMaterial, Vector3,
+  Color, DirectionalLight, Fog, Group, HemisphereLight, Mesh, MeshLambertMaterial, PlaneGeometry, Quaternion,
+  ShadowMaterial, Vector3,
 } from "three";
+import { Grid } from "./grid.js";
 import { colorOf } from "./theme.js";
 
 const UP = new Vector3(0, 1, 0);
-const SHADOW_PIXELS = 1024;
 
 export class Stage extends Group {
   #sun = new DirectionalLight(0xffffff, 2.2);
@@ -19,12 +19,12 @@ export class Stage extends Group {
   #bodies;
   #motion;
 
-  constructor(bodies, motion) {
+  constructor(bodies, motion, shadow_px) {
     super();
     this.#bodies = bodies;
     this.#motion = motion;
     this.#sun.castShadow = true;
-    this.#sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    this.#sun.shadow.mapSize.set(shadow_px, shadow_px);
     this.#sun.shadow.radius = 3;
     this.#sun.shadow.intensity = 0.75;
     this.add(this.#sun, this.#sun.target, this.#sky, this.#floor);
@@ -62,7 +62,7 @@ export class Stage extends Group {
       const { normal, point } = this.#plane(body.shape, index, center);
       const up = normal.y > 0.5;
       this.#place(this.#surface(extent_m, body.color), normal, point);
-      if (up) this.#place(lines(extent_m, radius_m), normal, point.addScaledVector(normal, radius_m / 1000));
+      if (up) this.#place(new Grid(extent_m, radius_m), normal, point.addScaledVector(normal, radius_m / 1000));
       level ||= up;
     });
     if (level) return;
@@ -70,7 +70,7 @@ export class Stage extends Group {
     const shadow = new Mesh(level_square(extent_m), new ShadowMaterial({ opacity: 0.18 }));
     shadow.receiveShadow = true;
     this.#place(shadow, UP, point);
-    this.#place(lines(extent_m, radius_m), UP, point);
+    this.#place(new Grid(extent_m, radius_m), UP, point.setY(lowest_m + radius_m / 1000));
   }
 
   // The plane's normal in the world and its point that is nearest to the middle of the motion.
@@ -105,24 +105,8 @@ export class Stage extends Group {
     scene.background = paper;
     scene.fog = new Fog(paper, near_m, far_m);
     for (const plane of this.#planes) plane.material.color.copy(paper).lerp(plane.userData.color, 0.12);
-    for (const object of this.#floor.children) if (object.isLineSegments) object.material.color.copy(ink);
+    for (const object of this.#floor.children) if (object instanceof Grid) object.paint(ink);
   }
 }
 
 const level_square = (extent_m) => new PlaneGeometry(extent_m, extent_m).rotateX(-Math.PI / 2);
-
-// Lines 1, 2 or 5 times a power of ten apart.
-function lines(extent_m, radius_m) {
-  const step_m = niceStep(radius_m / 3);
-  const cells = Math.min(200, 2 * Math.ceil(extent_m / step_m / 2));
-  const grid = new GridHelper(cells * step_m, cells, 0xffffff, 0xffffff);
-  grid.material.vertexColors = false;
-  return grid;
-}
-
-/** The largest of 1, 2, 5 × 10^n that is not above a length. */
-export function niceStep(length_m) {
-  const power = 10 ** Math.floor(Math.log10(length_m));
-  const lead = length_m / power;
-  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
-}

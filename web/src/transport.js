@@ -2,7 +2,7 @@
 
 import { byId } from "./dom.js";
 import { seconds, speedText } from "./format.js";
-import { bracket } from "./interpolate.js";
+import { bracket } from "./moments.js";
 
 const PLAY = "M3 1.5 L14 8 L3 14.5 Z";
 const PAUSE = "M3 2 H6.5 V14 H3 Z M9.5 2 H13 V14 H9.5 Z";

@@ -9,7 +9,8 @@ const ARRAY_OF = { f32: Float32Array, f64: Float64Array, u16: Uint16Array, i16: 
 /** @param {string} base64 @returns {Promise<{header: object, arrays: Record<string, ArrayLike<number>>}>} */
 export async function unpack(base64) {
   const text = base64.trim();
-  if (!text) throw new PayloadError("This page carries no run. Write a report with `animado report`.");
+  // A page that nothing was put into still holds the comment that stands for it.
+  if (!text || text.startsWith("<!")) throw new PayloadError("This page carries no run. Write a report with `animado report`.");
   let bytes;
   try {
     bytes = await gunzip(decodeBase64(text));
