@@ -96,13 +96,21 @@ std::vector<std::string> Watch::greet() {
 
 void Watch::look() {
   for (const std::string& message : feed_.take()) {
-    const bool is_log = Json::parse(message).at("type") == "log";
-    if (is_log) {
+    const Json read = Json::parse(message);
+    if (read.at("type") == "log") {
       server_.send(message, true);
-    } else {
-      remember_and_send(message, true);
+      continue;
     }
+    remember_and_send(message, true);
+    if (read.value("kind", "") == "edit") tell_edit(read);
   }
+}
+
+void Watch::tell_edit(const Json& event) {
+  server_.send(text_of({{"type", "edited"},
+                        {"name", event.at("name")},
+                        {"text", event.at("value")},
+                        {"time_s", event.at("time_s")}}));
 }
 
 void Watch::take(const std::string& text) try {
@@ -135,8 +143,7 @@ void Watch::pace(const Json& message) {
 
 void Watch::check(const Json& message, bool and_edit) {
   const std::string name = message.value("name", ""), text = message.value("text", "");
-  Json answer = {
-      {"type", and_edit ? "edited" : "checked"}, {"name", name}, {"text", text}, {"error", nullptr}};
+  Json answer = {{"type", "checked"}, {"name", name}, {"text", text}, {"error", nullptr}};
   try {
     controle::Scene changed = controle::checked_edit(watched_.scene, name, text);
     if (and_edit) {

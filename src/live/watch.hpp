@@ -42,6 +42,7 @@ class Watch {
   std::vector<std::string> greet();
   void look();
   void take(const std::string& message);
+  void tell_edit(const Json& event);
   void pace(const Json& message);
   void check(const Json& message, bool and_edit);
   void remember_and_send(const std::string& message, bool may_be_left_out);

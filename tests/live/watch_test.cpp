@@ -177,14 +177,22 @@ TEST_F(WatchTest, AnEditThatMakesSenseIsSent) {
   page.send({{"type", "edit"}, {"name", "ball.force"}, {"text", "(0, wind, 0)"}});
   EXPECT_NE(page.next("refused")["error"]["message"].get<std::string>().find("wind"), std::string::npos);
   page.send({{"type", "edit"}, {"name", "wind"}, {"text", "3"}});
-  page.next("edited");
+  EXPECT_TRUE(page.next("checked")["error"].is_null());
   page.send({{"type", "edit"}, {"name", "ball.force"}, {"text", "(0, wind, 0)"}});
-  page.next("edited");
+  EXPECT_TRUE(page.next("checked")["error"].is_null());
   page.send({{"type", "edit"}, {"name", "ball.mass"}, {"text", "3"}});
   page.next("refused");
   page.send({{"type", "edit"}, {"name", "wind"}, {"text", "lost"}});
   page.next("refused");
   EXPECT_EQ(edits_, (std::vector<std::string>{"wind = 3", "ball.force = (0, wind, 0)"}));
+}
+
+TEST_F(WatchTest, AnEditThatActsIsTold) {
+  Page page(address_);
+  std::ofstream(directory_.path() / "events.jsonl")
+      << R"({"kind": "edit", "time_s": 0.5, "name": "wind", "value": "3"})" << '\n';
+  EXPECT_EQ(page.next("edited"),
+            Json({{"type", "edited"}, {"name", "wind"}, {"text", "3"}, {"time_s", 0.5}}));
 }
 
 TEST_F(WatchTest, WhatIsNoMessageHarmsNobody) {
