@@ -1,5 +1,5 @@
-// What the bodies stand on and are lit by: a sun with soft shadows, the sky's light, the scene's planes, a floor of
-// lines. A scene without a level plane gets the lines and the shadows at the lowest point of its motion, to tell
+// What the bodies stand on and are lit by: a sun with soft shadows, the sky's light, the scene's planes. A level plane
+// is paper with lines and shadows; a scene without one gets such a floor at the lowest point of its motion, to tell
 // heights by.
 
 import {
@@ -10,6 +10,8 @@ import { Grid } from "./grid.js";
 import { colorOf } from "./theme.js";
 
 const UP = new Vector3(0, 1, 0);
+const EXTENT = 24;    // of planes, in radii of the motion
+const SHADOWED = 3.2;  // of the part of the floor that shadows reach
 
 export class Stage extends Group {
   #sun = new DirectionalLight(0xffffff, 2.2);
@@ -55,22 +57,23 @@ export class Stage extends Group {
   #build(center, radius_m, lowest_m) {
     this.#floor.clear();
     this.#planes = [];
-    const extent_m = 24 * radius_m;
     let level = false;
     this.#bodies.forEach((body, index) => {
       if (body.shape.kind !== "plane") return;
       const { normal, point } = this.#plane(body.shape, index, center);
-      const up = normal.y > 0.5;
-      this.#place(this.#surface(extent_m, body.color), normal, point);
-      if (up) this.#place(new Grid(extent_m, radius_m), normal, point.addScaledVector(normal, radius_m / 1000));
-      level ||= up;
+      const is_level = normal.y > 0.999;
+      level ||= is_level;
+      if (is_level) this.#level(radius_m, point);
+      else this.#place(this.#surface(radius_m, body.color), normal, point);
     });
-    if (level) return;
-    const point = new Vector3(center.x, lowest_m, center.z);
-    const shadow = new Mesh(level_square(extent_m), new ShadowMaterial({ opacity: 0.18 }));
+    if (!level) this.#level(radius_m, new Vector3(center.x, lowest_m, center.z));
+  }
+
+  #level(radius_m, point) {
+    const shadow = new Mesh(square(SHADOWED * radius_m), new ShadowMaterial({ opacity: 0.2, depthWrite: false }));
     shadow.receiveShadow = true;
     this.#place(shadow, UP, point);
-    this.#place(new Grid(extent_m, radius_m), UP, point.setY(lowest_m + radius_m / 1000));
+    this.#place(new Grid(EXTENT * radius_m, radius_m), UP, point);
   }
 
   // The plane's normal in the world and its point that is nearest to the middle of the motion.
@@ -84,8 +87,8 @@ export class Stage extends Group {
     return { normal, point: center.clone().addScaledVector(normal, offset_m - normal.dot(center)) };
   }
 
-  #surface(extent_m, color) {
-    const mesh = new Mesh(level_square(extent_m), new MeshLambertMaterial());
+  #surface(radius_m, color) {
+    const mesh = new Mesh(square(EXTENT * radius_m), new MeshLambertMaterial());
     mesh.userData.color = new Color().setRGB(...color, "srgb");
     mesh.receiveShadow = true;
     this.#planes.push(mesh);
@@ -109,4 +112,4 @@ export class Stage extends Group {
   }
 }
 
-const level_square = (extent_m) => new PlaneGeometry(extent_m, extent_m).rotateX(-Math.PI / 2);
+const square = (extent_m) => new PlaneGeometry(extent_m, extent_m).rotateX(-Math.PI / 2);
