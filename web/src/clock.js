@@ -5,6 +5,24 @@
 
 export const SPEEDS = [1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8];
 
+const READ_EVERY_MS = 120;  // numbers and rows that change faster cannot be read
+
+/** Whether what is read rather than looked at is due: always while the clock stands, now and then while it plays. */
+export class Readable {
+  #clock;
+  #before_ms = -Infinity;
+
+  constructor(clock) {
+    this.#clock = clock;
+  }
+
+  due(now_ms = performance.now()) {
+    if (this.#clock.playing && now_ms - this.#before_ms < READ_EVERY_MS) return false;
+    this.#before_ms = now_ms;
+    return true;
+  }
+}
+
 export class Clock extends EventTarget {
   time_s;
   playing = false;

@@ -1,5 +1,6 @@
 // The list of events: as many rows as can be seen, however many events there are. A click or Enter goes to the moment.
 
+import { Readable } from "./clock.js";
 import { element, oncePerFrame } from "./dom.js";
 import { eventText, KINDS } from "./event_text.js";
 import { count, seconds } from "./format.js";
@@ -30,7 +31,8 @@ export class EventList {
     this.#list.addEventListener("scroll", this.#redraw);
     this.#list.addEventListener("keydown", (event) => this.#key(event));
     this.#list.addEventListener("click", (event) => this.#click(event));
-    clock.addEventListener("time", () => this.#follow());
+    const readable = new Readable(clock);
+    for (const kind of ["time", "state"]) clock.addEventListener(kind, () => readable.due() && this.#follow());
     new ResizeObserver(this.#redraw).observe(this.#list);
     this.refresh();
   }
@@ -125,7 +127,8 @@ export class EventList {
       "aria-posinset": row + 1, "aria-setsize": this.#shown.length,
     },
     element("span", { class: "when" }, seconds(event.time_s, this.#step_s / 100)),
-    element("span", { class: "kind" }, element("span", { class: "sign", "aria-hidden": "true" }, sign), ` ${name}`),
+    element("span", { class: "kind" }, element("span", { class: "sign", "aria-hidden": "true" }, sign),
+      element("span", { class: "name" }, ` ${name}`)),
     element("span", { class: "who" }, who), element("span", { class: "what" }, what));
     node.style.top = `${row * ROW_PX}px`;
     return node;

@@ -89,7 +89,7 @@ export class Player {
     const y = 1 - ((event.clientY - box.top) / box.height) * 2;
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);
-    const body = this.bodies.pick(ray);
+    const body = this.bodies.pick(ray, this.#poses);
     if (body !== null) this.#choice.choose(body);
   }
 

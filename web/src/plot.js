@@ -71,7 +71,7 @@ export class Plot {
                    grid: { stroke: colorOf("--line"), width: 1 } };
     this.#chart = new uPlot({
       width: this.#area.clientWidth || 320, height: HEIGHT_PX, padding: [6, 8, 0, 0],
-      legend: { show: false }, cursor: { show: false }, scales: { x: { time: false } },
+      legend: { show: false }, cursor: { show: false }, scales: { x: { time: false }, y: { range } },
       axes: [{ ...axis, size: 24, space: 60, values: texts }, { ...axis, size: 58, space: 28, values: texts }],
       series: [{}, ...this.#lines.map((line, i) => ({
         stroke: colorOf(COLORS[i % COLORS.length]), width: 1.6, dash: DASHES[i % DASHES.length],
@@ -106,5 +106,8 @@ export class Plot {
     this.#lines.forEach(({ values }, i) => (this.#values[i].textContent = quantity(values[frame])));
   }
 }
+
+// A line of zeros lies at the bottom; everything else as uPlot thinks best.
+const range = (chart, low, high) => (low === 0 && high === 0 ? [0, 1] : uPlot.rangeNum(low, high, 0.1, true));
 
 const texts = (chart, splits) => splits.map((value) => quantity(value));

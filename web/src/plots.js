@@ -1,10 +1,9 @@
 // The plots under one cursor.
 
+import { Readable } from "./clock.js";
 import { oncePerFrame } from "./dom.js";
 import { Plot } from "./plot.js";
 import { bodyPlots, scenePlots } from "./series.js";
-
-const VALUES_EVERY_MS = 120;  // while it plays: numbers that change faster cannot be read
 
 export class Plots {
   #run;
@@ -12,7 +11,7 @@ export class Plots {
   #choice;
   #plots = new Map();
   #place;
-  #told_ms = 0;
+  #values;
   #seen = new Set();
   #watch;
 
@@ -21,6 +20,7 @@ export class Plots {
     this.#run = run;
     this.#clock = clock;
     this.#choice = choice;
+    this.#values = new Readable(clock);
     const update = oncePerFrame(() => this.#showTime());
     this.#watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) this.#seen[isIntersecting ? "add" : "delete"](target);
@@ -38,7 +38,6 @@ export class Plots {
     const body = this.#choice.body;
     const wanted = [...scenePlots(motion.facts), ...bodyPlots(motion, body, bodies[body].name)];
     for (const data of wanted) this.#plot(data.id).setData(motion.times_s, data);
-    this.#told_ms = 0;
     this.#showTime();
   }
 
@@ -55,14 +54,11 @@ export class Plots {
   /** Takes the page's colours anew. */
   paint() {
     for (const plot of this.#plots.values()) plot.draw();
-    this.#told_ms = 0;
     this.#showTime();
   }
 
   #showTime() {
-    const now_ms = performance.now();
-    const with_values = !this.#clock.playing || now_ms - this.#told_ms > VALUES_EVERY_MS;
-    if (with_values) this.#told_ms = now_ms;
+    const with_values = this.#values.due();
     for (const plot of this.#plots.values()) {
       if (this.#seen.has(plot.node)) plot.showTime(this.#clock.time_s, with_values);
     }

@@ -12,7 +12,7 @@ export function scenePlots(facts) {
     { id: "momentum", title: "Momentum", unit: "kg m/s", lines: vector(facts, "p", "_kg_m_s") },
     { id: "angular-momentum", title: "Angular momentum", unit: "kg m²/s", lines: vector(facts, "l", "_kg_m2_s") },
     { id: "contacts", title: "Contact points", unit: "", lines: [line("points", facts.contacts)] },
-    { id: "step", title: "Length of a step", unit: "ms", lines: [line("step", scaled(facts.step_s, 1000))] },
+    { id: "step", title: "Length of a step", unit: "ms", lines: [line("step", steps_ms(facts.step_s))] },
   ];
   return plots.filter((plot) => plot.lines.every(({ values }) => values));
 }
@@ -42,7 +42,8 @@ const line = (label, values) => ({ label, values });
 
 const vector = (facts, letter, unit) => AXES.map((axis) => line(axis, facts[`${letter}${axis}${unit}`]));
 
-const scaled = (values, factor) => values && Float64Array.from(values, (value) => value * factor);
+// Before the first frame there was no step: a gap.
+const steps_ms = (steps_s) => steps_s && Array.from(steps_s, (step_s) => (step_s > 0 ? 1000 * step_s : null));
 
 const isThere = (values) => values.some((value) => Math.abs(value) > 1e-12);
 

@@ -1,4 +1,4 @@
-// Shapes as geometry for instanced drawing: bodies whose shapes differ only in size share one geometry and are scaled.
+// Shapes as triangles.
 
 import {
   BoxGeometry, BufferGeometry, CapsuleGeometry, ConeGeometry, CylinderGeometry, Float32BufferAttribute,
@@ -7,34 +7,32 @@ import {
 
 /**
  * @param {{around: number, along: number}} fineness into how many facets curved shapes are cut
- * @returns {{key: string, scale: number[], curved: boolean, geometry: () => BufferGeometry}} bodies of one key are
- * drawn together
+ * @returns {BufferGeometry | null} null for a plane: it has no end
  */
-export function solid(shape, { around, along }) {
+export function triangles(shape, { around, along }) {
   const { kind, radius_m: radius, height_m: height } = shape;
   switch (kind) {
     case "sphere":
-      return { key: kind, scale: [radius, radius, radius], curved: true,
-               geometry: () => new SphereGeometry(1, around, along) };
+      return new SphereGeometry(radius, around, along);
     case "box":
-      return { key: kind, scale: shape.size_m, curved: false, geometry: () => new BoxGeometry(1, 1, 1) };
+      return new BoxGeometry(...shape.size_m);
     case "cylinder":
-      return { key: kind, scale: [radius, height, radius], curved: true,
-               geometry: () => new CylinderGeometry(1, 1, 1, around) };
+      return new CylinderGeometry(radius, radius, height, around);
     case "cone":  // the base a quarter of the height below the origin, which is its centre of mass
-      return { key: kind, scale: [radius, height, radius], curved: true,
-               geometry: () => new ConeGeometry(1, 1, around).translate(0, 0.25, 0) };
-    case "capsule": {  // its caps stay round only when it is scaled alike in all directions
-      const slimness = height / radius;
-      return { key: `capsule ${slimness.toPrecision(6)}`, scale: [radius, radius, radius], curved: true,
-               geometry: () => new CapsuleGeometry(1, slimness, Math.ceil(along / 2), around) };
-    }
+      return new ConeGeometry(radius, height, around).translate(0, height / 4, 0);
+    case "capsule":
+      return new CapsuleGeometry(radius, height, Math.ceil(along / 2), around);
     case "hull":
-      return { key: JSON.stringify(shape), scale: [1, 1, 1], curved: false, geometry: () => hull(shape) };
+      return hull(shape);
+    case "plane":
+      return null;
     default:
       throw new Error(`a shape of an unknown kind: ${kind}`);
   }
 }
+
+/** Whether it looks the same when it turns about its axis: then it is marked, to show that it does. */
+export const isCurved = ({ kind }) => ["sphere", "cylinder", "cone", "capsule"].includes(kind);
 
 // Every face as a fan of triangles with corners of its own, so that its edges stay sharp.
 function hull({ vertices_m: vertices, faces }) {
@@ -46,6 +44,7 @@ function hull({ vertices_m: vertices, faces }) {
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+  geometry.setIndex(Array.from({ length: corners.length / 3 }, (_, i) => i));
   geometry.computeVertexNormals();
   return geometry;
 }

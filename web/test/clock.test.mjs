@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Clock, SPEEDS } from "../src/clock.js";
+import { Clock, Readable, SPEEDS } from "../src/clock.js";
 
 function heard(clock) {
   const events = [];
@@ -48,4 +48,14 @@ test("speeds go step by step and end at both ends", () => {
   for (let i = 0; i < 9; ++i) clock.changeSpeed(-1);
   assert.equal(clock.speed, SPEEDS[0]);
   assert.ok(events.every((kind) => kind === "state"));
+});
+
+test("what is read is due always while the clock stands, and now and then while it plays", () => {
+  const clock = new Clock(0, 1);
+  const values = new Readable(clock);
+  assert.ok(values.due(1000) && values.due(1001));
+  clock.play();
+  assert.equal(values.due(1050), false);
+  assert.equal(values.due(1200), true);
+  assert.equal(values.due(1250), false);
 });
