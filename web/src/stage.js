@@ -3,8 +3,8 @@
 // heights by.
 
 import {
-  Color, DirectionalLight, Fog, Group, HemisphereLight, Mesh, MeshLambertMaterial, PlaneGeometry, Quaternion,
-  ShadowMaterial, Vector3,
+  Color, DirectionalLight, Fog, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry,
+  Quaternion, ShadowMaterial, Vector3,
 } from "three";
 import { Grid } from "./grid.js";
 import { colorOf } from "./theme.js";
@@ -63,8 +63,8 @@ export class Stage extends Group {
       const { normal, point } = this.#plane(body.shape, index, center);
       const is_level = normal.y > 0.999;
       level ||= is_level;
+      this.#place(this.#surface(radius_m, body.color, is_level), normal, point);
       if (is_level) this.#level(radius_m, point);
-      else this.#place(this.#surface(radius_m, body.color), normal, point);
     });
     if (!level) this.#level(radius_m, new Vector3(center.x, lowest_m, center.z));
   }
@@ -87,8 +87,12 @@ export class Stage extends Group {
     return { normal, point: center.clone().addScaledVector(normal, offset_m - normal.dot(center)) };
   }
 
-  #surface(radius_m, color) {
-    const mesh = new Mesh(square(EXTENT * radius_m), new MeshLambertMaterial());
+  // Level ones are paper, whatever their light; what lies in them, lines and shadows, is nearer by a hair.
+  #surface(radius_m, color, is_level) {
+    const Material = is_level ? MeshBasicMaterial : MeshLambertMaterial;
+    const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4 };
+    const mesh = new Mesh(square(EXTENT * radius_m), new Material(behind));
+    mesh.userData.tint = is_level ? 0 : 0.15;
     mesh.userData.color = new Color().setRGB(...color, "srgb");
     mesh.receiveShadow = true;
     this.#planes.push(mesh);
@@ -107,9 +111,18 @@ export class Stage extends Group {
     const ink = new Color(colorOf("--stage-line"));
     scene.background = paper;
     scene.fog = new Fog(paper, near_m, far_m);
-    for (const plane of this.#planes) plane.material.color.copy(paper).lerp(plane.userData.color, 0.12);
+    for (const plane of this.#planes) tint(plane.material.color, paper, plane.userData);
     for (const object of this.#floor.children) if (object instanceof Grid) object.paint(ink);
   }
+}
+
+// Mixed as the eye sees, not as light adds up: a tint is as strong on dark paper as on light.
+function tint(result, paper, { color, tint: share }) {
+  const [from, to] = [{}, {}];
+  paper.getRGB(from, "srgb");
+  color.getRGB(to, "srgb");
+  const mixed = ["r", "g", "b"].map((key) => from[key] + share * (to[key] - from[key]));
+  result.setRGB(...mixed, "srgb");
 }
 
 const square = (extent_m) => new PlaneGeometry(extent_m, extent_m).rotateX(-Math.PI / 2);
