@@ -1,5 +1,5 @@
-// Calls to the other modules: a line each in controle's log, and the time spent waiting for each module, by
-// which the summary tells where a run's time went.
+// Calls to the other modules: a line each in controle's log, one more where a step ends, and the time spent
+// waiting for each module, by which the summary tells where a run's time went.
 #pragma once
 
 #include <fmt/format.h>
@@ -30,6 +30,13 @@ class Meter {
     auto result = call();
     book(module, message, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     return result;
+  }
+  // The calls since the last such line made the step.
+  void step_ended(int64_t step, double time_s) {
+    if (!log_.enabled(rpc::LogLevel::info)) return;
+    line_.clear();
+    fmt::format_to(std::back_inserter(line_), "{}#{} step {} ends at {} s", run_, calls_, step, time_s);
+    log_.write(rpc::LogLevel::info, line_);
   }
   const std::map<std::string, Share, std::less<>>& shares() const { return shares_; }
 

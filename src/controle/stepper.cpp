@@ -85,9 +85,14 @@ void Stepper::equal_steps(double end_s, size_t steps) {
   }
 }
 
-// One step: events one after the other until its end, or until where the method's error lets it end.
+// One step, until its end or until where the method's error lets it end.
 void Stepper::step(double end_s) {
   ++counts_.steps;
+  go_through_events(end_s);
+  meter_.step_ended(counts_.steps, time_s_);
+}
+
+void Stepper::go_through_events(double end_s) {
   for (int events = 0; time_s_ < end_s; ++events) {
     const double rest_s = end_s - time_s_;
     const bool crowded = events >= kMostEventsAStep || contacts_ > kHeapContacts;

@@ -52,6 +52,7 @@ class Stepper {
   bool touches() const { return near_ && collides_; }
   void equal_steps(double end_s, size_t steps);
   void step(double end_s);
+  void go_through_events(double end_s);
   double move(double step_s, bool crowded);
   double move_to_impact(double step_s, const colisao::Sweep::Reply& hit);
   void touch(double step_s, bool crowded);
