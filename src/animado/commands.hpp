@@ -19,6 +19,7 @@ CLI::App& add_command(CommandLine& line, const std::string& name, const std::str
                       const std::string& examples);
 
 void add_run_command(CommandLine& line);
+void add_report_command(CommandLine& line);
 void add_check_command(CommandLine& line);
 void add_ps_command(CommandLine& line);
 void add_top_command(CommandLine& line);

@@ -8,6 +8,7 @@
 #include "animado/end_report.hpp"
 #include "animado/progress_display.hpp"
 #include "animado/replay.hpp"
+#include "animado/run_report.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/scene_check.hpp"
 #include "animado/terminal.hpp"
@@ -30,7 +31,7 @@ constexpr auto kExamples =
 
 struct Options {
   std::string scene, out, name, replay_of;
-  bool in_process = false, quiet = false, json = false, keep_services = false;
+  bool in_process = false, quiet = false, json = false, keep_services = false, no_pictures = false;
   std::optional<Replay> replay;
 };
 
@@ -42,6 +43,7 @@ ProgressDisplay::Style style(const Options& options) {
 // A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
 void finish(const Options& options, controle::ResultsDirectory& results, ExitCode code) {
   if (code != kLost && fs::exists(results.path() / "summary.json")) {
+    if (!options.no_pictures) add_report(results.path(), results.final_path());
     results.commit();
     const fs::path shown = fs::proximate(results.final_path());
     std::string report = end_report(results.final_path());
@@ -129,6 +131,7 @@ void add_run_command(CommandLine& line) {
                   "Instead of a scene: results of a run, which is made again with the edits that it took")
       ->check(CLI::ExistingDirectory)
       ->excludes(scene);
+  command.add_flag("--no-pictures", options->no_pictures, "Numbers only: no report.html");
   command.add_flag("--quiet", options->quiet, "No progress and no report; errors are still told");
   command.add_flag("--json", options->json, "The summary on stdout");
   command.callback([&line, options] {

@@ -53,6 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"colisao/server.cpp", "\"egesp/gauss_jordan.hpp\"", "reached through egesp/client.hpp"},
         Row{"controle/stepper.cpp", "\"fred/tableau.hpp\"", "controle reaches a service through"},
         Row{"animado/run_command.cpp", "\"fred/tableau.hpp\"", "animado reaches a service through"},
+        Row{"report/page.cpp", "\"controle/run.hpp\"", "report reads results"},
         Row{"fred/server.cpp", "\"controle/run.hpp\"", "a service does not know controle"},
         Row{"rpc/daemon.cpp", "\"egesp/protocol.hpp\"", "rpc includes base only"},
         Row{"fred/server.cpp", "<sys/socket.h>", "src/rpc's"},

@@ -1,0 +1,11 @@
+#include "report/template.hpp"
+#include "base/error.hpp"
+
+namespace animado::report {
+
+std::string_view page_template() {
+  throw Error(Code::unavailable, "this program was built without the page of the report", "report.html",
+              "install npm, then: cmake --preset release -DANIMADO_WEB=ON && scripts/build release programs");
+}
+
+}  // namespace animado::report

@@ -1,0 +1,45 @@
+// A thousand bodies and six hundred frames play at thirty pictures a second, drawn by the processor alone.
+//
+//   node tests/web/frame_rate_test.mjs
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { BUILD, open, picture, withBrowser } from "./browser.mjs";
+
+const FEWEST_A_SECOND = 30;
+const LONG_ENOUGH_S = 3;
+const TRIES = 3;      // what else the machine does in one of them is not the page's fault
+
+await withBrowser(async (browser) => {
+  mkdirSync(join(BUILD, "web"), { recursive: true });
+  const file = join(BUILD, "web/thousand_bodies.html");
+  execFileSync(join(BUILD, "bin/sample_report"), [file, "1000", "600"]);
+  const { page, said, asked } = await open(browser, pathToFileURL(file).href);
+  const rates = [];
+  while (rates.length < TRIES && !rates.some((rate) => rate >= FEWEST_A_SECOND)) {
+    rates.push(await page.evaluate(play, LONG_ENOUGH_S));
+  }
+  await picture(page, "thousand_bodies");
+  console.log(`${(statSync(file).size / 1e6).toFixed(1)} MB; pictures a second: ${rates.map((r) => r.toFixed(1)).join(", ")}`);
+  assert.ok(Math.max(...rates) >= FEWEST_A_SECOND, `${FEWEST_A_SECOND} pictures a second`);
+  assert.deepEqual(said, [], "the console stays empty");
+  assert.deepEqual(asked, [], "the page asks the network for nothing");
+});
+
+// In the page: from the start, for so long. How many pictures were drawn a second.
+async function play(long_enough_s) {
+  const { animado } = window;
+  const nextFrame = () => new Promise((now) => requestAnimationFrame(now));
+  const button = document.getElementById("play");
+  if (button.getAttribute("aria-label") === "Pause") button.click();
+  animado.goTo(-Infinity);
+  button.click();
+  await nextFrame();
+  const first = animado.pictures(), start_ms = performance.now();
+  const elapsed_s = () => (performance.now() - start_ms) / 1000;
+  while (elapsed_s() < long_enough_s) await nextFrame();
+  return (animado.pictures() - first) / elapsed_s();
+}
