@@ -46,9 +46,10 @@ const page = read("page.html")
   .replace("POLICY", () => policy)
   .replace("<style>STYLE<", () => `<style>${style}<`)
   .replace("<script>SCRIPT<", () => `<script>${script}<`);
-mkdirSync(join(here, "dist"), { recursive: true });
-writeFileSync(join(here, "dist/page.html"), page);
-console.error(`dist/page.html: ${Math.round(page.length / 1024)} KiB`);
+const file = process.argv[2] ?? join(here, "dist/page.html");
+mkdirSync(dirname(file), { recursive: true });
+writeFileSync(file, page);
+console.error(`${file}: ${Math.round(page.length / 1024)} KiB`);
 
 function output(extension) {
   const text = bundle.outputFiles.find(({ path }) => path.endsWith(extension)).text;
