@@ -1,52 +1,18 @@
-// A page in Debian's Chromium, without a screen, and with an ear on all that it says and asks for. What every test of
-// a page needs; where there is no browser, the test is skipped and says why.
+// A page in Debian's Chromium, with an ear on all that it says and asks for: what every test of a page that the program
+// wrote needs.
 
-import { accessSync, constants, mkdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { delimiter, join } from "node:path";
+import { mkdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { launch } from "../../web/test/browser/browser.mjs";
 
 export const SOURCE = new URL("../../", import.meta.url).pathname;
 export const BUILD = process.env.ANIMADO_BUILD_DIR ?? join(SOURCE, "build/release");
 export const ANIMADO = join(BUILD, "bin/animado");
 export const PICTURES = join(BUILD, "web/pictures");
-const SKIPPED = 77;  // what ctest takes for "skipped" (tests/web/CMakeLists.txt)
-
-// The processor draws. (With --disable-gpu too it would, but read each picture back and complain of that in the console.)
-const ARGUMENTS = [
-  "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-  "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
-];
-
-function skip(reason) {
-  console.log(`SKIPPED: ${reason}`);
-  process.exit(SKIPPED);
-}
-
-function chromium() {
-  const here = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, "chromium")).find((file) => {
-    try {
-      accessSync(file, constants.X_OK);
-      return true;
-    } catch {
-      return false;
-    }
-  });
-  return here ?? skip("there is no chromium: scripts/setup --web installs it");
-}
-
-function playwright() {
-  try {
-    return createRequire(join(SOURCE, "web/package.json"))("playwright-core");
-  } catch (error) {
-    if (error.code !== "MODULE_NOT_FOUND") throw error;
-    return skip("playwright-core is not there: scripts/web-packages fetches it");
-  }
-}
 
 /** A browser for the life of `use`. */
 export async function withBrowser(use) {
-  const executablePath = chromium();
-  const browser = await playwright().chromium.launch({ executablePath, args: ARGUMENTS });
+  const browser = await launch();
   try {
     return await use(browser);
   } finally {

@@ -2,8 +2,8 @@
 //
 //   npm run build && node test/sample.mjs paper >paper.html && node test/sample.mjs many >many.html
 
-import { readFileSync } from "node:fs";
 import { encode, pack, quantized, turns } from "./pack.mjs";
+import { template } from "./template.mjs";
 
 const GRAVITY_M_S2 = 9.81;
 
@@ -141,8 +141,7 @@ export function many(count = 1000, frames = 600) {
 
 /** The built page with a run in it. */
 export function page(packed) {
-  const template = readFileSync(new URL("../dist/page.html", import.meta.url), "utf8");
-  return template.replace("<!--ANIMADO-RUN-->", () => encode(packed));
+  return template().replace("<!--ANIMADO-RUN-->", () => encode(packed));
 }
 
 const samples = { paper, many };

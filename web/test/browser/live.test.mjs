@@ -1,13 +1,12 @@
 // The page of a run that goes on, in a browser; the test is the server.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { template } from "../template.mjs";
 import { launch, open } from "./browser.mjs";
 
 const HOST = "http://127.0.0.1:9";
-const template = readFileSync(new URL("../../dist/page.html", import.meta.url), "utf8");
-const html = template.replace("<html", "<html data-live").replace("<!--ANIMADO-RUN-->", "");
+const html = template().replace("<html", "<html data-live").replace("<!--ANIMADO-RUN-->", "");
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());

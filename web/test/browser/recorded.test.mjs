@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { many, page as pageOf, paper } from "../sample.mjs";
+import { address as empty_page } from "../template.mjs";
 import { launch, open } from "./browser.mjs";
 
 const directory = mkdtempSync(join(tmpdir(), "animado-page-"));
@@ -90,7 +91,7 @@ test("a thousand bodies and ten thousand events: few rows, and nothing wider tha
 });
 
 test("a page without a run says so", async () => {
-  const page = await open(browser, { address: new URL("../../dist/page.html", import.meta.url).href });
+  const page = await open(browser, { address: empty_page });
   assert.match(await page.locator("#notice").textContent(), /carries no run/);
   assert.equal(await page.locator("#page").isVisible(), false);
 });
