@@ -20,6 +20,9 @@ export async function withBrowser(use) {
   }
 }
 
+// Said of a picture that the processor drew, whatever the page.
+const OF_THE_BROWSER = /GL Driver Message .* GPU stall due to ReadPixels/;
+
 /**
  * Opens a page and listens. `said` gathers what it wrote to the console and its uncaught errors, `asked` every request
  * but the first, for the page itself: of a page that is well both stay empty.
@@ -28,7 +31,9 @@ export async function open(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
   const page = await context.newPage();
   const said = [], asked = [];
-  page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
+  page.on("console", (message) => {
+    if (!OF_THE_BROWSER.test(message.text())) said.push(`${message.type()}: ${message.text()}`);
+  });
   page.on("pageerror", (error) => said.push(`uncaught: ${error}`));
   page.on("request", (request) => {
     const inside = /^(data|blob):/.test(request.url());

@@ -20,7 +20,8 @@ const hello = {
 };
 const frame = (k) => ({ type: "frame", frame: k, time_s: k / 10, position: [0, 3 - k / 10, 0], rotation: [1, 0, 0, 0],
                         facts: { kinetic_J: k, potential_J: 10 - k, elastic_J: 0, work_in_J: 0,
-                                 dissipated_impacts_J: 0, dissipated_friction_J: 0, dissipated_damping_J: 0 } });
+                                 dissipated_impacts_J: 0, dissipated_friction_J: 0, dissipated_damping_J: 0,
+                                 residual_J: 0, contacts: 0, step_s: 0.01 } });
 
 /** @returns the page, and its server: `heard` what the page said, `say` to it, `next` waits for a kind of message */
 async function session() {
