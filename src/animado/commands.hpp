@@ -20,6 +20,7 @@ CLI::App& add_command(CommandLine& line, const std::string& name, const std::str
 
 void add_run_command(CommandLine& line);
 void add_report_command(CommandLine& line);
+void add_render_command(CommandLine& line);
 void add_check_command(CommandLine& line);
 void add_ps_command(CommandLine& line);
 void add_top_command(CommandLine& line);

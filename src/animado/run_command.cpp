@@ -6,6 +6,7 @@
 
 #include "animado/commands.hpp"
 #include "animado/end_report.hpp"
+#include "animado/pictures.hpp"
 #include "animado/progress_display.hpp"
 #include "animado/replay.hpp"
 #include "animado/run_report.hpp"
@@ -24,6 +25,7 @@ constexpr auto kExamples =
     "  animado run scenes/colisao.animado                results in runs/colisao/\n"
     "  animado run scenes/colisao.animado --out tonight  results in tonight/\n"
     "  animado run scenes/colisao.animado --in-process   one process instead of five: the same bits\n"
+    "  animado run scenes/colisao.animado --mp4          a film too\n"
     "  animado run scenes/colisao.animado --json         the summary as JSON on stdout\n"
     "  animado run --replay runs/spring                  the same once more, with the edits it took\n\n"
     "Exit codes: 0 done, 2 usage, 3 scene refused, 4 the motion diverged, 5 a service was lost, 130 "
@@ -31,8 +33,9 @@ constexpr auto kExamples =
 
 struct Options {
   std::string scene, out, name, replay_of;
-  bool in_process = false, quiet = false, json = false, keep_services = false, no_pictures = false;
+  bool in_process = false, quiet = false, json = false, keep_services = false;
   std::optional<Replay> replay;
+  bool no_pictures = false, mp4 = false;
 };
 
 ProgressDisplay::Style style(const Options& options) {
@@ -43,7 +46,11 @@ ProgressDisplay::Style style(const Options& options) {
 // A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
 void finish(const Options& options, controle::ResultsDirectory& results, ExitCode code) {
   if (code != kLost && fs::exists(results.path() / "summary.json")) {
-    if (!options.no_pictures) add_report(results.path(), results.final_path());
+    if (!options.no_pictures) {
+      const bool film = options.mp4 && code == kDone;
+      make_pictures(results.path(), results.final_path(), {.film = film, .quiet = options.quiet});
+      add_report(results.path(), results.final_path());
+    }
     results.commit();
     const fs::path shown = fs::proximate(results.final_path());
     std::string report = end_report(results.final_path());
@@ -131,7 +138,10 @@ void add_run_command(CommandLine& line) {
                   "Instead of a scene: results of a run, which is made again with the edits that it took")
       ->check(CLI::ExistingDirectory)
       ->excludes(scene);
-  command.add_flag("--no-pictures", options->no_pictures, "Numbers only: no report.html");
+  const auto no_pictures = command.add_flag("--no-pictures", options->no_pictures,
+                                            "Numbers only: neither sheet.png nor report.html");
+  command.add_flag("--mp4", options->mp4, "A film of the run too, film.mp4; needs ffmpeg")
+      ->excludes(no_pictures);
   command.add_flag("--quiet", options->quiet, "No progress and no report; errors are still told");
   command.add_flag("--json", options->json, "The summary on stdout");
   command.callback([&line, options] {

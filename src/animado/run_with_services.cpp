@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "animado/programs.hpp"
 #include "animado/restarts.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/running_suite.hpp"
@@ -24,10 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr int kLookAgain_ms = 2;  // while a service starts, which takes some 10 ms
 
-fs::path program(const std::string& name) {
-  return fs::read_symlink("/proc/self/exe").parent_path() / name;
-}
-
 // The text of a file, which is removed.
 std::string take_text(const fs::path& file) {
   std::ifstream in(file);
@@ -43,6 +40,7 @@ class FiveProcesses {
   bool start_services();  // false when interrupted meanwhile
   ExitCode run_controle();
   void write_restarts() const;
+  void leave_core() { core_.reset(); }       // what comes after the run may use them all
   void keep_services(const fs::path& logs);  // until interrupted
 
  private:
@@ -52,7 +50,7 @@ class FiveProcesses {
   ExitCode controle_ended(int status) const;
 
   const RunRequest& request_;
-  const rpc::OneCore core_;  // before anything is started
+  std::optional<rpc::OneCore> core_{std::in_place};  // before anything is started
   const fs::path logs_;
   SocketDirectory sockets_;
   rpc::SocketSuite probe_;
@@ -176,6 +174,7 @@ ExitCode run_with_services(const RunRequest& request, const Finish& finish) {
   FiveProcesses processes(request);
   const ExitCode code = processes.start_services() ? processes.run_controle() : kInterrupted;
   processes.write_restarts();
+  processes.leave_core();
   const fs::path logs = finish(code);
   if (request.keep_services && code == kDone) processes.keep_services(logs);
   return code;
