@@ -25,7 +25,7 @@ class Light {
 
 inline const Vec3f kLampLight{0.78f, 0.75f, 0.70f};  // on a surface that faces it
 Vec3f sky_light(const Vec3f& direction);             // from there, when nothing is in between
-inline constexpr float kReflected = 0.35f;           // of the sky's light, from what is in between
+inline constexpr float kReflected = 0.2f;            // of the sky's light, from what is in between
 
 inline const Vec3f kBackground{0.90f, 0.90f, 0.89f};  // where nothing is
 

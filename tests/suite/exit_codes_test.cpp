@@ -55,7 +55,7 @@ class ExitCodes : public testing::Test {
 class BothWays : public ExitCodes, public testing::WithParamInterface<bool> {
  protected:
   Words run_words(const std::string& scene_text, Words more = {}) {
-    Words words = {"run", scene(scene_text)};
+    Words words = {"run", scene(scene_text), "--no-pictures"};
     if (GetParam()) words.push_back("--in-process");
     words.insert(words.end(), more.begin(), more.end());
     return words;
@@ -123,6 +123,7 @@ TEST_F(ExitCodes, TwoForACommandLineThatMakesNoSense) {
   EXPECT_EQ(animado({"fly"}).code, 2);
   EXPECT_EQ(animado({"run"}).code, 2);
   EXPECT_EQ(animado({"run", "scene", "--in-process", "--keep-services"}).code, 2);
+  EXPECT_EQ(animado({"run", "scene", "--no-pictures", "--mp4"}).code, 2);
 }
 
 TEST_F(ExitCodes, TwoWhenTheResultsWouldReplaceSomethingElse) {
@@ -159,7 +160,7 @@ TEST_F(ExitCodes, FiveWhenAServiceCannotBeBroughtBackWithItsLastLines) {
 
 TEST_F(ExitCodes, HelpOpensWithExamples) {
   for (const std::string name :
-       {"run", "check", "ps", "ping", "get", "set", "eval", "watch", "call", "protocol"}) {
+       {"run", "render", "check", "ps", "ping", "get", "set", "eval", "watch", "call", "protocol"}) {
     const Outcome outcome = animado({name, "--help"});
     EXPECT_EQ(outcome.code, 0) << name;
     EXPECT_THAT(outcome.out, testing::StartsWith("  animado " + name)) << name;

@@ -28,7 +28,7 @@ class Replays : public testing::Test {
 
   // Runs the scene and gives the ball another force as soon as some frames are there, and once more.
   Outcome run_edited() {
-    Command command(directory_, {"run", "scene.animado", "--run", kRun, "--out", "first"});
+    Command command(directory_, {"run", "scene.animado", "--no-pictures", "--run", kRun, "--out", "first"});
     const fs::path partial = directory_ / fmt::format(".first.partial-{}", command.pid());
     const auto over = [&] { return !command.running(); };
     const auto text_in = [&](const char* file) {
@@ -52,7 +52,7 @@ class Replays : public testing::Test {
 
 TEST_F(Replays, MakeTheSameEditsToTheSameBits) {
   ASSERT_EQ(run_edited().code, 0);
-  const Outcome again = finish({"run", "--replay", "first"});
+  const Outcome again = finish({"run", "--replay", "first", "--no-pictures"});
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_NE(again.err.find("the same as first, to the last bit"), std::string::npos) << again.err;
   EXPECT_EQ(summary("first-replay")["state_hash"], summary("first")["state_hash"]);
@@ -61,11 +61,11 @@ TEST_F(Replays, MakeTheSameEditsToTheSameBits) {
 
   // In one process as well, and when the scene is not there any more.
   fs::remove(directory_ / "scene.animado");
-  EXPECT_EQ(finish({"run", "--replay", "first", "--out", "third", "--in-process"}).code, 0);
+  EXPECT_EQ(finish({"run", "--replay", "first", "--no-pictures", "--out", "third", "--in-process"}).code, 0);
   EXPECT_EQ(summary("third")["state_hash"], summary("first")["state_hash"]);
 
   // Without the edits it is another motion.
-  EXPECT_EQ(finish({"run", "first/scene.animado", "--out", "unedited"}).code, 0);
+  EXPECT_EQ(finish({"run", "first/scene.animado", "--no-pictures", "--out", "unedited"}).code, 0);
   EXPECT_NE(summary("unedited")["state_hash"], summary("first")["state_hash"]);
 }
 

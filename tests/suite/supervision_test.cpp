@@ -110,7 +110,7 @@ TEST_P(Restarts, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
   const std::string_view steps = "substep 0.002";
   scene.replace(scene.find(steps), steps.size(), GetParam());
   write_text(directory_ / "scene.animado", scene);
-  const Words words = {"run", "scene.animado", "--run", kRun};
+  const Words words = {"run", "scene.animado", "--no-pictures", "--run", kRun};
   ASSERT_EQ(Command(directory_, words).finish().code, 0);
   const Json undisturbed = summary();
   ASSERT_GT(undisturbed.at("impacts"), 5);
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(, Restarts, testing::Values("substep 0.002", "method do
 
 // The names come back from their file, the others register again, and nobody asks for an array that is lost.
 TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBit) {
-  Words words = {"run", "scene.animado", "--run", kRun};
+  Words words = {"run", "scene.animado", "--no-pictures", "--run", kRun};
   ASSERT_EQ(Command(directory_, words).finish().code, 0);
   const std::string hash = summary().at("state_hash"), states = text_of(directory_ / "runs/scene/states.csv");
   fs::remove_all(directory_ / "runs");
@@ -164,7 +164,7 @@ TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBi
 }
 
 TEST_F(Supervision, ServicesDieWithTheSupervisor) {
-  Command command(directory_, {"run", "scene.animado", "--run", kRun});
+  Command command(directory_, {"run", "scene.animado", "--no-pictures", "--run", kRun});
   const auto over = [&] { return !command.running(); };
   ASSERT_TRUE(wait_until([&] { return logged(command, "colisao") > kSomeWork; }, over)) << command.err();
   std::vector<pid_t> pids;
@@ -179,7 +179,7 @@ TEST_F(Supervision, ServicesDieWithTheSupervisor) {
 }
 
 TEST_F(Supervision, KeptServicesAnswerAfterTheRunUntilInterrupted) {
-  Command command(directory_, {"run", "scene.animado", "--run", kRun, "--keep-services"});
+  Command command(directory_, {"run", "scene.animado", "--no-pictures", "--run", kRun, "--keep-services"});
   const auto over = [&] { return !command.running(); };
   ASSERT_TRUE(wait_until([&] { return fs::exists(directory_ / "runs/scene/summary.json"); }, over))
       << command.err();
