@@ -40,7 +40,7 @@ std::unique_ptr<CLI::App> command_line(const std::string& program, Options& opti
   app->add_option("--look-at", options.look_at,
                   "The point \"(x, y, z)\" in the middle of the picture (default: the middle of the motion)");
   app->add_option("--size", options.size,
-                  "WxH of the page or of the film, px; W alone: as high as it comes (default: 1440; a film: "
+                  "WxH of the page or of the film, px; W alone: as high as it comes (default: 1280; a film: "
                   "1280x720)");
   app->add_option("--frames", options.frames,
                   "How many, evenly (12), which (3,5,8), or from one to another (10..20); default: 12");

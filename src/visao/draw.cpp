@@ -1,5 +1,7 @@
 #include "visao/draw.hpp"
 
+#include <algorithm>
+
 #include "visao/shade.hpp"
 #include "visao/smooth_light.hpp"
 #include "visao/threads.hpp"
@@ -19,6 +21,37 @@ struct Blocks {
   uint32_t sample_of(int ray) const { return static_cast<uint32_t>(ray % rays_a_pixel); }
 };
 
+struct Area {  // of a picture, px: left and top belong to it, right and bottom do not
+  int left, top, right, bottom;
+};
+
+// Where bodies are seen. Elsewhere is the background, for which no ray is needed; but a floor is everywhere.
+Area busy_area(const Stage& stage, std::span<const Pose> poses, const Camera& camera, Size size) {
+  const Area whole{0, 0, size.width_px, size.height_px};
+  if (!stage.planes.empty()) return whole;
+  Eigen::AlignedBox2d seen;
+  for (const StagedBody& body : stage.bodies) {
+    const Vec3 center = camera.axes.transpose() * (poses[body.index].position_m - camera.eye_m);
+    const double r = body.radius_m, near_m = -center.z() - r, far_m = -center.z() + r;
+    if (near_m <= 0) return whole;
+    for (const double depth_m : {near_m, far_m}) {
+      for (const double aside_m : {-r, r}) {
+        seen.extend(Eigen::Vector2d((center.x() + aside_m) / (depth_m * camera.half_width),
+                                    (center.y() + aside_m) / (depth_m * camera.half_height)));
+      }
+    }
+  }
+  if (seen.isEmpty()) return {0, 0, 0, 0};
+  // Even numbers: a bundle of a film begins at one.
+  const auto pixel = [](double position, int pixels, int beyond) {
+    const double at = std::clamp(position, 0.0, 1.0) * pixels;
+    return std::clamp((static_cast<int>(at) + beyond) & ~1, 0, pixels);
+  };
+  return {
+      pixel((seen.min().x() + 1) / 2, size.width_px, -1), pixel((1 - seen.max().y()) / 2, size.height_px, -1),
+      pixel((seen.max().x() + 1) / 2, size.width_px, 3), pixel((1 - seen.min().y()) / 2, size.height_px, 3)};
+}
+
 class Painter {
  public:
   Painter(const Stage& stage, const Solids& solids, const Camera& camera, Size size, Quality quality)
@@ -31,10 +64,13 @@ class Painter {
     for (uint32_t k = 0; k < kRays; ++k) in_pixel_[k] = sequence_point(k);
   }
 
-  int rows() const { return (size_.height_px + blocks_.side_px - 1) / blocks_.side_px; }
-
-  void paint_row(int row, Canvas& canvas) const {
-    for (int x = 0; x < size_.width_px; x += blocks_.side_px) paint_block(x, row * blocks_.side_px, canvas);
+  void paint(const Area& area, Canvas& canvas) const {
+    const int side_px = blocks_.side_px;
+    for_each_row((area.bottom - area.top + side_px - 1) / side_px, [&](int row) {
+      for (int x = area.left; x < area.right; x += side_px) {
+        paint_block(x, area.top + row * side_px, canvas);
+      }
+    });
   }
 
  private:
@@ -77,7 +113,7 @@ Picture draw(const Stage& stage, std::span<const Pose> poses, const Camera& came
   const Solids solids(stage, poses);
   const Painter painter(stage, solids, camera, size, quality);
   Canvas canvas(size);
-  for_each_row(painter.rows(), [&](int row) { painter.paint_row(row, canvas); });
+  painter.paint(busy_area(stage, poses, camera, size), canvas);
   Picture picture(size, {});
   for_each_row(size.height_px, [&](int y) {
     for (int x = 0; x < size.width_px; ++x) picture.at(x, y) = srgb8_of(smooth_color(canvas, x, y));

@@ -14,7 +14,7 @@ namespace animado::visao {
 struct SheetRequest {
   std::vector<size_t> frames;  // of the run, rising
   View view = {};
-  int width_px = 1440;
+  int width_px = 1280;
   std::optional<int> height_px = {};  // as high as the frames are by themselves when it is not said
   std::string title = {};
 };

@@ -7,6 +7,7 @@ namespace animado::visao {
 Texel texel_of(std::span<const Seen> seen) {
   Texel texel;
   texel.surface = seen[0].surface;
+  texel.color.setZero();
   for (const Seen& s : seen) {
     if (s.surface != texel.surface) texel.surface = Seen::kNothing;
     texel.normal += s.normal;

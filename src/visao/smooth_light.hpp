@@ -14,7 +14,7 @@ namespace animado::visao {
 struct Texel {
   int surface = Seen::kNothing;  // the only one that its rays met; kNothing when they met several
   Vec3f normal = Vec3f::Zero(), albedo = Vec3f::Zero(), light = Vec3f::Zero(), added = Vec3f::Zero();
-  Vec3f color = Vec3f::Zero();  // as its own rays have it
+  Vec3f color = kBackground;  // as its own rays have it
 };
 
 class Canvas {

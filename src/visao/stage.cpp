@@ -27,20 +27,17 @@ double radius_m(const controle::TriangleMesh& mesh) {
   return farthest_m;
 }
 
-double radius_m(const StagedBody& body) {
-  return body.sphere_radius_m > 0 ? body.sphere_radius_m : radius_m(body.mesh);
-}
-
 std::vector<StagedBody> staged_bodies(const RecordedRun& run) {
   std::vector<StagedBody> staged;
   for (size_t i = 0; i < run.bodies.size(); ++i) {
     const RecordedBody& body = run.bodies[i];
     if (std::holds_alternative<HalfSpace>(body.shape)) continue;
-    StagedBody& made = staged.emplace_back(StagedBody{i, linear_of(body.color_srgb), 0, {}});
+    StagedBody& made = staged.emplace_back(StagedBody{i, linear_of(body.color_srgb)});
     if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-      made.sphere_radius_m = sphere->radius_m;
+      made.sphere_radius_m = made.radius_m = sphere->radius_m;
     } else {
       made.mesh = controle::tessellate(body.shape, 0);
+      made.radius_m = radius_m(made.mesh);
     }
   }
   return staged;
@@ -75,7 +72,7 @@ void find_motion(const RecordedRun& run, Stage& stage) {
   const bool all_fixed = std::ranges::all_of(stage.bodies, is_fixed);
   for (const StagedBody& body : stage.bodies) {
     if (is_fixed(body) && !all_fixed) continue;
-    const double reach_m = kAir * radius_m(body);
+    const double reach_m = kAir * body.radius_m;
     for (size_t f = 0; f < frames; ++f) stage.motion.push_back(ball_of(run, f, body.index, reach_m));
   }
   if (stage.motion.empty()) stage.motion.push_back({Vec3::Zero(), 1});
@@ -84,7 +81,7 @@ void find_motion(const RecordedRun& run, Stage& stage) {
   const size_t moving = stage.motion.size();
   for (const StagedBody& body : stage.bodies) {
     if (!is_fixed(body)) continue;
-    const Ball ball = ball_of(run, 0, body.index, kAir * radius_m(body));
+    const Ball ball = ball_of(run, 0, body.index, kAir * body.radius_m);
     const double distance_m = (ball.center_m - stage.origin_m).norm();
     if (ball.radius_m < stage.radius_m && distance_m < 2 * stage.radius_m) stage.motion.push_back(ball);
   }

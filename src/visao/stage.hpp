@@ -15,10 +15,11 @@
 namespace animado::visao {
 
 struct StagedBody {
-  size_t index;                 // in the run
-  Vec3f color;                  // linear
-  double sphere_radius_m = 0;   // spheres are exact; others are triangles
-  controle::TriangleMesh mesh;  // body frame
+  size_t index;                      // in the run
+  Vec3f color;                       // linear
+  double radius_m = 0;               // all of it is that near to its frame's origin
+  double sphere_radius_m = 0;        // spheres are exact; others are triangles
+  controle::TriangleMesh mesh = {};  // body frame
 };
 
 // Solid where normal · x ≤ offset, x from the stage's origin.
