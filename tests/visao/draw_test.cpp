@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "recorded.hpp"
+#include "visao/light.hpp"
 #include "visao/moments.hpp"
 
 namespace animado::visao {
@@ -65,6 +66,20 @@ TEST(Draw, ABallDarkensTheFloorUnderIt) {
         .green;
   };
   EXPECT_LT(floor_at(1.0) + 8, floor_at(30));
+}
+
+// Where the line from the lamp through the ball's centre meets the floor, against the same place on the other
+// side, to which the sky is as open.
+TEST(Draw, ABallThrowsAShadow) {
+  const Camera camera = camera_at({0, 4, 20}, {0, 0, 0}, 1);
+  const Vec3 lamp = Light(camera).towards_lamp(0).cast<double>();
+  const Vec3 in_shadow = Vec3(0, 2.5, 0) - 2.5 / lamp.y() * lamp;
+  const Picture picture = picture_of(recorded({kBall, kFloor}, {{Vec3(0, 2.5, 0), Vec3::Zero()}}), camera);
+  const auto brightness_at = [&](const Vec3& point_m) {
+    const Vec3 seen = camera.seen(point_m);
+    return picture.at(static_cast<int>((seen.x() + 1) * 48), static_cast<int>((1 - seen.y()) * 48)).green;
+  };
+  EXPECT_LT(brightness_at(in_shadow) + 25, brightness_at(-in_shadow));
 }
 
 TEST(Draw, TheUnderSideIsDarkerThanTheTop) {
