@@ -3,6 +3,7 @@
 #include "animado/terminal.hpp"
 #include "base/error.hpp"
 #include "report/page.hpp"
+#include "report/template.hpp"
 
 namespace animado {
 
@@ -20,6 +21,7 @@ void tell(const std::string& what, const std::string& remedy, const fs::path& fi
 }  // namespace
 
 void add_report(const fs::path& results, const fs::path& final_results) try {
+  if (!report::has_page_template()) return;  // who built it so knows; `animado report` tells the others
   report::write_report(results);
 } catch (const Error& error) {
   tell(error.message(), error.remedy(), final_results);

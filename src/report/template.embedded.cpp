@@ -6,6 +6,10 @@ extern "C" const char animado_page_end[];
 
 namespace animado::report {
 
+bool has_page_template() {
+  return true;
+}
+
 std::string_view page_template() {
   return {animado_page_begin, animado_page_end};
 }

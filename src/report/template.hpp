@@ -6,7 +6,9 @@
 
 namespace animado::report {
 
-// Throws Error(unavailable) in a program that was built without it (ANIMADO_WEB=OFF).
+bool has_page_template();  // not in a program that was built with ANIMADO_WEB=OFF
+
+// Throws Error(unavailable) where there is none.
 std::string_view page_template();
 
 }  // namespace animado::report

@@ -9,6 +9,7 @@
 namespace animado {
 namespace {
 
+#if ANIMADO_WEB
 TEST(RunReport, ThatCannotBeMadeSpoilsNothing) {
   const TemporaryDirectory empty;
   testing::internal::CaptureStderr();
@@ -18,6 +19,14 @@ TEST(RunReport, ThatCannotBeMadeSpoilsNothing) {
   EXPECT_THAT(said, testing::HasSubstr("animado report runs/colisao\n"));
   EXPECT_TRUE(std::filesystem::is_empty(empty.path()));
 }
+#else
+TEST(RunReport, OfAProgramWithoutThePageSaysNothing) {
+  const TemporaryDirectory empty;
+  testing::internal::CaptureStderr();
+  add_report(empty, "runs/colisao");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+#endif
 
 }  // namespace
 }  // namespace animado
