@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+
+#include "animado/terminal.hpp"
 
 namespace animado {
 namespace {
@@ -96,6 +99,16 @@ void draw(Canvas& canvas, std::span<const double> x, const Curve& curve, size_t 
 }
 
 }  // namespace
+
+PlotSize plot_size(int descriptor) {
+  PlotSize size;
+  if (const auto terminal = terminal_size(descriptor)) {
+    size = {terminal->columns, std::clamp(terminal->lines - 4, 6, 24)};
+  } else if (const char* given = std::getenv("COLUMNS")) {
+    size.columns = std::clamp(std::atoi(given), 30, 400);
+  }
+  return size;
+}
 
 std::string braille_plot(std::span<const double> x, std::span<const Curve> curves, PlotSize size,
                          bool colours) {

@@ -34,7 +34,7 @@ void add_check_command(CommandLine& line) {
       "  animado check scenes/colisao.animado\n"
       "  animado check --json scenes/*.animado      an object a line\n\n"
       "Exit code 0 when all are fine, 3 when one is refused: file:line:column, what is wrong, the remedy.\n");
-  command.add_option("scene", options->scenes, "Scene files")->required();
+  command.add_option("scene", options->scenes, "Scene files")->required()->type_name(kSceneType);
   command.add_flag("--json", options->json, "An object a scene, a line each");
   command.callback([&line, options] {
     for (const std::string& scene : options->scenes) {

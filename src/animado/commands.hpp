@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "animado/completion_values.hpp"
 #include "animado/exit_code.hpp"
 
 namespace animado {
@@ -35,5 +36,9 @@ void add_integrate_command(CommandLine& line);
 void add_call_command(CommandLine& line);
 void add_solve_command(CommandLine& line);
 void add_protocol_command(CommandLine& line);
+void add_log_command(CommandLine& line);
+void add_plot_command(CommandLine& line);
+void add_completion_command(CommandLine& line);
+void add_man_command(CommandLine& line);
 
 }  // namespace animado

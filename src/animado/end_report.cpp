@@ -33,8 +33,19 @@ std::string energy_text(const Json& energy) {
     if (std::abs(joules) > kRounding * largest_J) text += fmt::format(", {:.6g} J {}", joules, words);
   }
   const double residual_J = energy.at("residual").get<double>();
-  return text + fmt::format("; unaccounted for: {:.2g} J",
-                            amount("residual") > kRounding * largest_J ? residual_J : 0.0);
+  if (amount("residual") <= kRounding * largest_J) return text + "; nothing is unaccounted for";
+  return text + fmt::format("; {:.2g} J ({:.1g} %) unaccounted for", residual_J,
+                            100 * std::abs(residual_J) / largest_J);
+}
+
+// What a person opens first, of what is there.
+std::string files_text(const std::filesystem::path& directory) {
+  std::string text;
+  for (const char* file : {"report.html", "sheet.png", "film.mp4", "animation.glb", "states.csv"}) {
+    if (!std::filesystem::exists(directory / file)) continue;
+    text += (text.empty() ? ": " : ", ") + std::string(file);
+  }
+  return text;
 }
 
 }  // namespace
@@ -53,7 +64,9 @@ std::string end_report(const std::filesystem::path& directory) try {
                      summary.at("wall_time_s").get<double>(),
                      counted(summary.at("impacts").get<int64_t>(), "impact", "impacts")) +
          fmt::format("energy: {}\n", energy_text(summary.at("energy"))) +
-         fmt::format("state hash {}\n", summary.at("state_hash").get<std::string>());
+         fmt::format("state hash {}\n", summary.at("state_hash").get<std::string>()) +
+         fmt::format("results in {}{}\n", std::filesystem::proximate(directory).string(),
+                     files_text(directory));
 } catch (const Json::exception& error) {
   throw Error(Code::unavailable, std::string("the summary cannot be read: ") + error.what(),
               (directory / "summary.json").string());

@@ -1,4 +1,4 @@
-// What a run came to, in a few lines for people: made from its summary.json.
+// What a run came to and where its results are, in a few lines for people: made from its summary.json.
 #pragma once
 
 #include <filesystem>

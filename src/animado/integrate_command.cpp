@@ -1,10 +1,8 @@
 // animado integrate: differential equations from the command line, by fred of the suite that runs, or in this
 // process.
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "animado/braille_plot.hpp"
 #include "animado/commands.hpp"
@@ -145,16 +143,7 @@ void print_plot(const fred::Integrate::Reply& reply) {
     t[row] = reply.samples.values[row * columns];
     for (size_t c = 0; c < curves.size(); ++c) curves[c].y[row] = reply.samples.values[row * columns + 1 + c];
   }
-  PlotSize size;
-  winsize window{};
-  const bool terminal = isatty(STDOUT_FILENO) == 1;
-  if (terminal && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 0) {
-    size = {window.ws_col, std::clamp(window.ws_row - 4, 6, 24)};
-  } else if (const char* given = std::getenv("COLUMNS")) {
-    size.columns = std::clamp(std::atoi(given), 30, 400);
-  }
-  const char* no_color = std::getenv("NO_COLOR");
-  fmt::print("{}", braille_plot(t, curves, size, terminal && (no_color == nullptr || *no_color == '\0')));
+  fmt::print("{}", braille_plot(t, curves, plot_size(STDOUT_FILENO), shows_colours(STDOUT_FILENO)));
 }
 
 void print_events(const Options& options, const fred::Integrate::Reply& reply) {
@@ -226,7 +215,7 @@ void add_integrate_command(CommandLine& line) {
   command.add_option("--time-limit", options->max_time_s, "Seconds that it may take (default: 60)")
       ->check(CLI::PositiveNumber);
   command.add_flag("--plot", options->plot, "Draw the curves");
-  command.add_option("--csv", options->csv, "Write the table to this file");
+  command.add_option("--csv", options->csv, "Write the table to this file")->type_name(kFileType);
   add_suite_choice(command, options->suite);
   command.callback([options, &line] { line.exit_code = integrate(*options); });
 }

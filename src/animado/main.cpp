@@ -1,17 +1,32 @@
 // animado: the command line of the suite.
 #include "animado/commands.hpp"
 #include "animado/terminal.hpp"
+#include "rpc/program_manual.hpp"
+
+namespace {
+
+constexpr auto kExamples =
+    "  animado run scenes/colisao.animado              results in runs/colisao/\n"
+    "  animado plot runs/colisao energy cubo.y         curves of a run\n"
+    "  animado eval \"norm((3, 4, 0))\"                  the language of scenes\n"
+    "  animado run --help                              examples and options of a command\n";
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace animado;
   CommandLine line;
   line.app.description("ANIMADO: rigid bodies in motion, simulated by five programs.");
+  line.app.name("animado");
+  line.app.formatter(std::make_shared<rpc::ExamplesFirst>(kExamples));
   line.app.require_subcommand(1);
   line.app.set_version_flag("--version", ANIMADO_VERSION);
-  for (const auto add : {add_run_command, add_render_command, add_report_command, add_check_command,
-                         add_ps_command, add_top_command, add_ping_command, add_get_command, add_set_command,
-                         add_snapshot_command, add_restore_command, add_eval_command, add_watch_command,
-                         add_solve_command, add_integrate_command, add_call_command, add_protocol_command}) {
+  for (const auto add :
+       {add_run_command, add_render_command, add_report_command, add_plot_command, add_check_command,
+        add_ps_command, add_top_command, add_ping_command, add_get_command, add_set_command,
+        add_snapshot_command, add_restore_command, add_eval_command, add_watch_command, add_solve_command,
+        add_integrate_command, add_call_command, add_protocol_command, add_log_command,
+        add_completion_command, add_man_command}) {
     add(line);
   }
   try {

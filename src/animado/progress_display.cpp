@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "animado/terminal.hpp"
+
 namespace animado {
 
 namespace {
@@ -26,9 +28,10 @@ std::string progress_text(const controle::Progress& progress, double elapsed_s) 
   const double part =
       progress.frames > 0 ? static_cast<double>(progress.frame) / static_cast<double>(progress.frames) : 0;
   const int filled = static_cast<int>(part * kBarWidth);
-  std::string text = fmt::format("[{:<{}}] frame {} of {}, t = {:.4g} s, {} {}", std::string(filled, '='),
-                                 kBarWidth, progress.frame, progress.frames, progress.time_s, progress.bodies,
-                                 progress.bodies == 1 ? "body" : "bodies");
+  std::string text = fmt::format("[{:<{}}] frame {} of {}, t = {:.4g} s, {} {}, {} {}",
+                                 std::string(filled, '='), kBarWidth, progress.frame, progress.frames,
+                                 progress.time_s, progress.bodies, progress.bodies == 1 ? "body" : "bodies",
+                                 progress.contacts, progress.contacts == 1 ? "contact" : "contacts");
   if (elapsed_s <= 0 || part <= 0) return text;
   text += fmt::format(", {:.0f} steps/s", static_cast<double>(progress.steps) / elapsed_s);
   if (part < 1) text += fmt::format(", {} left", duration_text(elapsed_s / part * (1 - part)));
@@ -42,9 +45,12 @@ void ProgressDisplay::show(const controle::Progress& progress, Time now) {
   if (now - last_shown_.value_or(style_ == Style::terminal ? Time{} : begin_) < pause) return;
   if (style_ == Style::lines && tenth(progress) == last_tenth_) return;
 
-  const std::string text = progress_text(progress, std::chrono::duration<double>(now - begin_).count());
+  std::string text = progress_text(progress, std::chrono::duration<double>(now - begin_).count());
   // \r goes to the line's start, ESC[K erases what is left of the line before.
   const bool terminal = style_ == Style::terminal;
+  // A line that the terminal breaks is not written over.
+  if (const auto size = terminal ? terminal_size(fileno(out_)) : std::nullopt)
+    text.resize(std::min(text.size(), static_cast<size_t>(size->columns) - 1));
   fmt::print(out_, "{}{}{}", terminal ? "\r" : "", text, terminal ? "\x1b[K" : "\n");
   std::fflush(out_);
   last_shown_ = now;

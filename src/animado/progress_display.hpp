@@ -11,7 +11,8 @@
 
 namespace animado {
 
-// "[=====     ] frame 6 of 12, t = 1.5 s, 2 bodies, 1200 steps/s, 3 s left". elapsed_s: since the run began.
+// "[=====     ] frame 6 of 12, t = 1.5 s, 2 bodies, 1 contact, 1200 steps/s, 3 s left". elapsed_s: since the
+// run began.
 std::string progress_text(const controle::Progress& progress, double elapsed_s);
 
 class ProgressDisplay {

@@ -40,7 +40,9 @@ void add_restore_command(CommandLine& line) {
                   "  animado restore ball.txt --prefix ball\n\n"
                   "All of it or nothing: what differs is defined anew, what the file does not have is\n"
                   "removed, live names stay.\n");
-  command.add_option("file", options->file, "A file that animado snapshot wrote")->required();
+  command.add_option("file", options->file, "A file that animado snapshot wrote")
+      ->required()
+      ->type_name(kFileType);
   command.add_option("--prefix", options->prefix, "The namespace of that snapshot");
   add_suite_choice(command, options->suite);
   command.callback([options] { restore(*options); });

@@ -33,14 +33,14 @@ constexpr auto kExamples =
 
 struct Options {
   std::string scene, out, name, replay_of;
-  bool in_process = false, quiet = false, json = false, keep_services = false;
+  bool extensions = false, in_process = false, quiet = false, json = false, keep_services = false;
   std::optional<Replay> replay;
   bool no_pictures = false, mp4 = false;
 };
 
 ProgressDisplay::Style style(const Options& options) {
   if (options.quiet) return ProgressDisplay::Style::silent;
-  return stderr_is_terminal() ? ProgressDisplay::Style::terminal : ProgressDisplay::Style::lines;
+  return is_terminal(STDERR_FILENO) ? ProgressDisplay::Style::terminal : ProgressDisplay::Style::lines;
 }
 
 // A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
@@ -52,10 +52,9 @@ void finish(const Options& options, controle::ResultsDirectory& results, ExitCod
       add_report(results.path(), results.final_path());
     }
     results.commit();
-    const fs::path shown = fs::proximate(results.final_path());
     std::string report = end_report(results.final_path());
     if (options.replay) report += replay_report(*options.replay, results.final_path());
-    if (!options.quiet) print_note(report + "results in " + shown.string());
+    if (!options.quiet) fmt::print(stderr, "{}", report);
     if (options.json) std::cout << std::ifstream(results.final_path() / "summary.json").rdbuf() << std::flush;
   } else {
     print_note("no results; the logs are in " + fs::proximate(results.logs()).string());
@@ -67,7 +66,8 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
   RunRequest request{.scene = options.scene,
                      .directory = results.path(),
                      .name = options.name,
-                     .keep_services = options.keep_services};
+                     .keep_services = options.keep_services,
+                     .physics_extensions = options.extensions};
   if (options.replay) request.replay = options.replay->events;
   request.on_progress = [&](const controle::Progress& p) {
     display.show(p, std::chrono::steady_clock::now());
@@ -123,8 +123,9 @@ ExitCode run(Options options) {
 void add_run_command(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(line, "run", "Simulate a scene", kExamples);
-  const auto scene = command.add_option("scene", options->scene, "The scene's file");
-  command.add_option("--out", options->out, "Directory of the results (default: runs/<scene>)");
+  const auto scene = command.add_option("scene", options->scene, "The scene's file")->type_name(kSceneType);
+  command.add_option("--out", options->out, "Directory of the results (default: runs/<scene>)")
+      ->type_name(kFolderType);
   command.add_option("--run", options->name,
                      "Name of the run, for `animado ps` and its like (default: <scene>-<pid>)");
   const auto in_process =
@@ -133,6 +134,8 @@ void add_run_command(CommandLine& line) {
       .add_flag("--keep-services", options->keep_services,
                 "Leave the services running at the end, until Ctrl-C")
       ->excludes(in_process);
+  command.add_flag("--extensions", options->extensions,
+                   "animation.glb holds masses and solids too: drafts of glTF extensions (docs/results.md)");
   command
       .add_option("--replay", options->replay_of,
                   "Instead of a scene: results of a run, which is made again with the edits that it took")

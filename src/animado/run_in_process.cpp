@@ -25,6 +25,7 @@ ExitCode run_in_process(const RunRequest& request) {
   options.scene = request.scene;
   options.directory = request.directory;
   options.name = request.name;
+  options.physics_extensions = request.physics_extensions;
   options.progress = request.on_progress;
   options.stop = [] { return stop_asked.load(); };
   if (!request.replay.empty()) options.edits = controle::edits_of(controle::read_events(request.replay));

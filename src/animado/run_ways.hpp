@@ -14,6 +14,7 @@ struct RunRequest {
   std::filesystem::path directory;  // takes the results and, in logs/, the logs; absolute, there already
   std::string name;                 // of the run: of its socket directory, and of its shared arrays
   bool keep_services = false;
+  bool physics_extensions = false;  // in animation.glb
   int pace_fd = -1;  // where controle reads how fast to go (controle/pace.hpp); -1: as fast as it can
   std::filesystem::path replay = {};  // events.jsonl of an earlier run whose edits are made again
   controle::OnProgress on_progress = {};

@@ -121,6 +121,7 @@ ExitCode FiveProcesses::run_controle() {
                                         sockets_.path(),
                                         "--progress-fd",
                                         std::to_string(childs_end.get())};
+  if (request_.physics_extensions) arguments.emplace_back("--extensions");
   if (!request_.replay.empty()) arguments.insert(arguments.end(), {"--replay", request_.replay});
   std::vector<int> kept = {childs_end.get()};
   if (request_.pace_fd >= 0) {

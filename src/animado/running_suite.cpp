@@ -1,5 +1,7 @@
 #include "animado/running_suite.hpp"
 
+#include "animado/completion_values.hpp"
+
 #include "base/error.hpp"
 #include "rpc/endpoint.hpp"
 
@@ -63,7 +65,8 @@ SocketDirectory::~SocketDirectory() {
 
 void add_suite_choice(CLI::App& command, SuiteChoice& choice) {
   command.add_option("--run", choice.run, "Name of the run (default: the one that started last)");
-  command.add_option("--socket-dir", choice.socket_dir, "Directory of the run's sockets");
+  command.add_option("--socket-dir", choice.socket_dir, "Directory of the run's sockets")
+      ->type_name(kFolderType);
 }
 
 std::unique_ptr<rpc::SocketSuite> find_suite(const SuiteChoice& choice) {

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "animado/terminal.hpp"
+
 namespace animado {
 
 namespace {
@@ -31,7 +33,7 @@ std::string page_text(std::string_view page) {
 }  // namespace
 
 bool Screen::is_possible() {
-  return isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
+  return is_terminal(STDIN_FILENO) && is_terminal(STDOUT_FILENO);
 }
 
 Screen::Screen() {

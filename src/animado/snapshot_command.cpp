@@ -30,7 +30,7 @@ void add_snapshot_command(CommandLine& line) {
                   "  animado snapshot ball.txt --prefix ball    those within ball\n"
                   "  animado snapshot | less\n\n"
                   "animado restore names.txt brings them back.\n");
-  command.add_option("file", options->file, "Where to (default: the terminal)");
+  command.add_option("file", options->file, "Where to (default: the terminal)")->type_name(kFileType);
   command.add_option("--prefix", options->prefix, "A namespace: ball");
   add_suite_choice(command, options->suite);
   command.callback([options] { snapshot(*options); });

@@ -157,9 +157,11 @@ void solve(const Options& o) {
 void add_solve_command(CommandLine& line) {
   const auto o = std::make_shared<Options>();
   CLI::App& command = add_command(line, "solve", "Solve a linear system from Matrix Market files", kExamples);
-  command.add_option("A", o->matrix, "The matrix")->required();
-  command.add_option("b", o->right_side, "The right-hand side, or several as columns")->required();
-  command.add_option("-o,--out", o->out, "Write x here and not to stdout");
+  command.add_option("A", o->matrix, "The matrix")->required()->type_name(kFileType);
+  command.add_option("b", o->right_side, "The right-hand side, or several as columns")
+      ->required()
+      ->type_name(kFileType);
+  command.add_option("-o,--out", o->out, "Write x here and not to stdout")->type_name(kFileType);
   command.add_option("--method", o->method, "auto (by the file), dense or sparse")
       ->check(CLI::IsMember({"auto", "dense", "sparse"}));
   command.add_option("--pivoting", o->pivoting, "partial or complete (dense systems)")

@@ -1,5 +1,6 @@
 #include "animado/terminal.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -7,13 +8,31 @@
 
 namespace animado {
 
-bool stderr_is_terminal() {
-  return isatty(STDERR_FILENO) == 1;
+namespace {
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
+bool is_terminal(int descriptor) {
+  return isatty(descriptor) == 1 && is_set("TERM") && std::string_view(std::getenv("TERM")) != "dumb";
+}
+
+bool shows_colours(int descriptor) {
+  return is_terminal(descriptor) && !is_set("NO_COLOR");
+}
+
+std::optional<TerminalSize> terminal_size(int descriptor) {
+  winsize window{};
+  if (ioctl(descriptor, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) return std::nullopt;
+  return TerminalSize{window.ws_col, window.ws_row};
 }
 
 std::string painted(std::string_view text, Paint paint) {
-  const char* no_color = std::getenv("NO_COLOR");
-  if (!stderr_is_terminal() || (no_color != nullptr && *no_color != '\0')) return std::string(text);
+  if (!shows_colours(STDERR_FILENO)) return std::string(text);
   constexpr std::array kCodes = {"1", "31", "32", "2"};  // in the order of Paint
   return fmt::format("\x1b[{}m{}\x1b[0m", kCodes[static_cast<size_t>(paint)], text);
 }

@@ -1,6 +1,7 @@
-// What people read: on stderr, in colour where that is wanted.
+// What people read: on stderr, in colour where that is wanted. What a terminal can do is asked here alone.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,10 +9,16 @@
 
 namespace animado {
 
-bool stderr_is_terminal();
+bool is_terminal(int descriptor);    // one that moves its cursor as it is told: no pipe, no TERM=dumb
+bool shows_colours(int descriptor);  // and NO_COLOR is not set (no-color.org)
+
+struct TerminalSize {
+  int columns, lines;
+};
+std::optional<TerminalSize> terminal_size(int descriptor);  // of one that knows its size
 
 enum class Paint { bold, red, green, dim };
-// With colour on a terminal, without it elsewhere or when NO_COLOR is set (no-color.org).
+// In colour where stderr shows colours.
 std::string painted(std::string_view text, Paint paint);
 
 // "error: file:line:column: what was found", the remedy under it.

@@ -9,6 +9,7 @@
 #include "controle/pace.hpp"
 #include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
+#include "rpc/program_manual.hpp"
 #include "rpc/socket_suite.hpp"
 
 namespace {
@@ -27,10 +28,12 @@ int exit_code(Code code) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "controle: reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado "
-      "run` starts the five together.\n"
-      "\nExample: controle --scene scenes/colisao.animado --out runs/colisao --socket-dir "
-      "$XDG_RUNTIME_DIR/animado/colisao");
+      "Reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado run` starts "
+      "the five together.",
+      "controle");
+  rpc::add_manual(app, "controle",
+                  "  controle --scene scenes/colisao.animado --out tonight\n"
+                  "  controle --scene a.animado --out a --socket-dir $XDG_RUNTIME_DIR/animado/colisao\n");
   controle::RunOptions options;
   rpc::SocketSuite::Options suite_options;
   int progress_fd = -1, pace_fd = -1;
@@ -41,6 +44,8 @@ int main(int argc, char** argv) {
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_option("--socket-dir", suite_options.directory, "directory of the run's sockets");
+  app.add_flag("--extensions", options.physics_extensions,
+               "animation.glb holds masses and solids too: drafts of glTF extensions");
   app.add_option("--progress-fd", progress_fd, "descriptor for a line of progress at each frame");
   app.add_option("--pace-fd", pace_fd, "descriptor of commands: pause, resume, step, speed S; a line each");
   app.add_option("--replay", replay, "events.jsonl of an earlier run whose edits are made again")

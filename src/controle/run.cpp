@@ -11,6 +11,29 @@
 namespace animado::controle {
 namespace {
 
+std::vector<BodyPhysics> physics_of(const Scene& scene) {
+  std::vector<BodyPhysics> bodies;
+  for (const Body& body : scene.bodies) {
+    bodies.push_back({body.shape, body.motion, body.mass_kg, body.center_of_mass_m, body.inertia_kg_m2,
+                      body.restitution, body.friction});
+  }
+  return bodies;
+}
+
+std::string combination_of(RestitutionRule rule) {
+  switch (rule) {
+    case RestitutionRule::product:
+      return "multiply";
+    case RestitutionRule::min:
+      return "minimum";
+    case RestitutionRule::max:
+      return "maximum";
+    case RestitutionRule::mean:
+      break;
+  }
+  return "average";
+}
+
 template <class T>
 uint64_t hash_of(T content) {
   Fnv1a hash;
@@ -106,6 +129,8 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   refuse_overlap(scene, suite);
 
   Results results(options.directory, result_bodies(scene), scene.text);
+  if (options.physics_extensions)
+    results.with_physics(physics_of(scene), combination_of(scene.world.restitution_rule));
   rpc::Log log("controle", options.directory / "logs" / "controle.log");
   Simulation simulation(scene, suite, options.name, log, [&](const Event& event) { results.event(event); });
   LiveNames names(suite, simulation, options.name, [&](const Event& event) { results.event(event); });
@@ -130,7 +155,7 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
       names.publish();
       const auto count = [](auto value) { return static_cast<int64_t>(value); };
       options.progress({count(frame + 1), count(times.size()), times[frame], times.back(),
-                        count(scene.bodies.size()), stepper.counts().steps, stepper.counts().impacts});
+                        count(scene.bodies.size()), facts.steps, facts.impacts, facts.contacts});
       options.pace(times[frame]);
       names.take_edits();
       if (options.stop()) {

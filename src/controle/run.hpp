@@ -17,6 +17,7 @@ struct RunOptions {
   std::string scene;                // path of its file
   std::filesystem::path directory;  // where the results are written; it is there already
   std::string name = "run";         // tells this run's shared arrays from another's
+  bool physics_extensions = false;  // in animation.glb: drafts (results/physics_extensions.hpp)
   OnProgress progress = [](const Progress&) {};
   std::function<void(double time_s)> pace = [](double) {};  // asked at every frame: returns when it may go on
   std::vector<Event> edits = {};                            // to be made again, of an earlier run's events

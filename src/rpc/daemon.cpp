@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "rpc/dispatcher.hpp"
 #include "rpc/endpoint.hpp"
+#include "rpc/program_manual.hpp"
 #include "rpc/registration.hpp"
 #include "rpc/server.hpp"
 #include "rpc/socket_suite.hpp"
@@ -47,9 +48,11 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--socket-dir", options.directory,
                  "folder of the run's sockets (default: $ANIMADO_SOCKET_DIR, or one in $XDG_RUNTIME_DIR)");
   app.add_option("--log", options.log, "log file, a line a message (default: NAME.log beside the socket)");
-  app.add_option("--log-level", options.level, "info, warning, error or off")
-      ->transform(CLI::CheckedTransformer(kLevels, CLI::ignore_case))
-      ->default_str("info");
+  CLI::CheckedTransformer levels(kLevels, CLI::ignore_case);
+  levels.description("");  // it would list the numbers, too
+  app.add_option("--log-level", options.level, "info, warning, error or off (default: info)")
+      ->transform(levels)
+      ->type_name("LEVEL");
   app.add_flag("--messages", options.list, "list the messages that it answers, and leave");
   app.set_version_flag("--version", ANIMADO_VERSION);
 }
@@ -95,9 +98,11 @@ int run_daemon(int argc, char** argv, const DaemonInfo& info,
   Options options;
   add_options(app, options);
   if (info.add_options) info.add_options(app);
-  const std::string example =
-      info.example.empty() ? fmt::format("animado call {} describe '{{}}'", info.name) : info.example;
-  app.footer(fmt::format("Messages: {0} --messages, or docs/protocol.md. Example: {1}", info.name, example));
+  add_manual(app, info.name,
+             fmt::format("  {0:<{1}}serves until Ctrl-C\n"
+                         "  {2:<{1}}what it can be asked; docs/protocol.md says more\n"
+                         "  {3}\n",
+                         info.name, info.name.size() + 15, info.name + " --messages", info.example));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -16,7 +16,7 @@ namespace animado::rpc {
 struct DaemonInfo {
   std::string name;
   std::string manual;                               // a paragraph for --help
-  std::string example = {};                         // a command line that shows its use
+  std::string example;                              // a command line that shows its use
   std::function<void(CLI::App&)> add_options = {};  // options of its own, if any
 };
 

@@ -27,8 +27,22 @@ TEST(EndReport, TellsImpactsEnergyAndHash) {
   write_summary(directory / "summary.json", summary);
   EXPECT_EQ(end_report(directory.path()),
             "done: 12 frames of 2 bodies in 34 steps and 0.25 s; 1 impact\n"
-            "energy: 100 J at the start, 60 J at the end, 40 J lost in impacts; unaccounted for: 0 J\n"
-            "state hash 0000000000abcdef\n");
+            "energy: 100 J at the start, 60 J at the end, 40 J lost in impacts; nothing is unaccounted for\n"
+            "state hash 0000000000abcdef\n"
+            "results in " +
+                std::filesystem::proximate(directory.path()).string() + "\n");
+}
+
+TEST(EndReport, TellsWhatIsUnaccountedForAndWhatThereIsToSee) {
+  const TemporaryDirectory directory;
+  controle::Summary summary;
+  summary.energy.initial_J = 100;
+  summary.energy.final_J = 100.5;
+  write_summary(directory / "summary.json", summary);
+  for (const char* file : {"sheet.png", "report.html"}) write_text(directory / file, "");
+  const std::string report = end_report(directory.path());
+  EXPECT_THAT(report, testing::HasSubstr("; 0.5 J (0.5 %) unaccounted for\n"));
+  EXPECT_THAT(report, testing::EndsWith(": report.html, sheet.png\n"));
 }
 
 TEST(EndReport, RefusesADirectoryWithoutSummary) {

@@ -158,14 +158,5 @@ TEST_F(ExitCodes, FiveWhenAServiceCannotBeBroughtBackWithItsLastLines) {
   EXPECT_FALSE(fs::exists(directory_ / "runs/scene"));
 }
 
-TEST_F(ExitCodes, HelpOpensWithExamples) {
-  for (const std::string name :
-       {"run", "render", "check", "ps", "ping", "get", "set", "eval", "watch", "call", "protocol"}) {
-    const Outcome outcome = animado({name, "--help"});
-    EXPECT_EQ(outcome.code, 0) << name;
-    EXPECT_THAT(outcome.out, testing::StartsWith("  animado " + name)) << name;
-  }
-}
-
 }  // namespace
 }  // namespace animado::suite

@@ -180,9 +180,19 @@ AnimationGlb::AnimationGlb(std::vector<AnimatedBody> bodies, double plane_extent
       translations_m_(bodies_.size()),
       rotations_(bodies_.size()) {}
 
+void AnimationGlb::with_physics(std::vector<BodyPhysics> physics, std::string restitution_combine) {
+  assert(physics.size() == bodies_.size());
+  physics_ = std::move(physics);
+  restitution_combine_ = std::move(restitution_combine);
+}
+
 void AnimationGlb::frame(double time_s, std::span<const double> state) {
   assert(state.size() == bodies_.size() * kStateRows);
-  if (times_s_.empty()) first_time_s_ = time_s;
+  if (times_s_.empty()) {
+    first_time_s_ = time_s;
+    for (size_t i = 0; i < physics_.size(); ++i)
+      physics_[i].start = load_body(state.data(), bodies_.size(), i);
+  }
   const auto key_time_s = static_cast<float>(time_s - first_time_s_);
   if (!times_s_.empty() && key_time_s <= times_s_.back()) return;
   const bool is_first = times_s_.empty();
@@ -215,6 +225,7 @@ void AnimationGlb::write(const std::filesystem::path& file) const {
                 builder.add_floats(translations_m_[i], TINYGLTF_TYPE_VEC3));
     add_channel(animation, i, "rotation", times, builder.add_floats(rotations_[i], TINYGLTF_TYPE_VEC4));
   }
+  add_physics(builder.model, physics_, restitution_combine_);
   if (!animation.channels.empty()) builder.model.animations.push_back(std::move(animation));
   save(builder.take(), file);
 }

@@ -34,6 +34,11 @@ class Results {
   Results(std::filesystem::path directory, const std::vector<ResultBody>& bodies,
           std::string_view scene_text);
 
+  // Has the animation hold the bodies' physics, too (physics_extensions.hpp). Before the first frame.
+  void with_physics(std::vector<BodyPhysics> physics, std::string restitution_combine) {
+    animation_.with_physics(std::move(physics), std::move(restitution_combine));
+  }
+
   // The next frame, its events before it. state: shape (13, bodies), rows as in base/state.hpp.
   void frame(const FrameFacts& facts, std::span<const double> state);
   void event(const Event& event);

@@ -163,6 +163,104 @@ TEST(AnimationGlb, TimesThatSinglePrecisionCannotTellApartAreLeftOut) {
   EXPECT_EQ(motion.keys(0, "translation").first.size(), 1u);
 }
 
+// The drafts, on request: what a physics engine would take over.
+class WithPhysics : public testing::Test {
+ protected:
+  WithPhysics() {
+    AnimationGlb animation({{.name = "cone", .shape = Cone{1, 4}},
+                            {.name = "floor", .shape = HalfSpace{Vec3::UnitX(), 2}, .motion = Motion::fixed},
+                            {.name = "rock", .shape = tetrahedron()}});
+    animation.with_physics({{Cone{1, 4}, Motion::dynamic, 3, Vec3(0, 0, 1), inertia(), 0.5, 0.25},
+                            {HalfSpace{Vec3::UnitX(), 2}, Motion::fixed},
+                            {tetrahedron(), Motion::kinematic}},
+                           "multiply");
+    std::vector<double> state(3 * kStateRows);
+    BodyState cone;
+    cone.pose.orientation = orientation_of({0, 0, kPi / 2}, {0, 1, 2});  // its x is the world's y
+    cone.velocity_m_s = {0, 5, 0};
+    cone.angular_velocity_body_rad_s = {0, 2, 0};
+    for (size_t i = 0; i < 3; ++i) store_body(state.data(), 3, i, i == 0 ? cone : BodyState());
+    animation.frame(0, state);
+    animation.write(directory_ / "animation.glb");
+    std::string error, warning;
+    EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model_, &error, &warning,
+                                                        (directory_ / "animation.glb").string()));
+  }
+
+  static Hull tetrahedron() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  }
+  static Mat3 inertia() { return Vec3(2, 3, 4).asDiagonal(); }
+  tinygltf::Value of_node(size_t node) const {
+    const auto& extensions = model_.nodes[node].extensions;
+    const auto found = extensions.find("KHR_physics_rigid_bodies");
+    return found == extensions.end() ? tinygltf::Value() : found->second;
+  }
+  static Vec3 vector(const tinygltf::Value& list) {
+    return {list.Get(0).GetNumberAsDouble(), list.Get(1).GetNumberAsDouble(),
+            list.Get(2).GetNumberAsDouble()};
+  }
+
+  TemporaryDirectory directory_;
+  tinygltf::Model model_;
+};
+
+TEST_F(WithPhysics, AMotionIsInTheNodesAxes) {
+  const tinygltf::Value motion = of_node(0).Get("motion");
+  EXPECT_EQ(motion.Get("mass").GetNumberAsDouble(), 3);
+  EXPECT_EQ(vector(motion.Get("centerOfMass")), Vec3(0, 0, 1));
+  EXPECT_LT((vector(motion.Get("inertiaDiagonal")) - Vec3(2, 3, 4)).norm(), 1e-12);
+  EXPECT_LT((vector(motion.Get("angularVelocity")) - Vec3(0, 2, 0)).norm(), 1e-12);
+  // 5 m/s along the body's x, and (0, 2, 0) × (0, 0, 1) on top: the centre of mass lies off the origin.
+  EXPECT_LT((vector(motion.Get("linearVelocity")) - Vec3(7, 0, 0)).norm(), 1e-12);
+  EXPECT_FALSE(of_node(1).Has("motion"));
+  EXPECT_TRUE(of_node(2).Get("motion").Get("isKinematic").Get<bool>());
+}
+
+TEST_F(WithPhysics, AConeIsACylinderThatEndsInAPointAndStandsHigher) {
+  ASSERT_EQ(model_.nodes.size(), 5u);
+  EXPECT_EQ(model_.nodes[0].children, std::vector<int>{3});
+  EXPECT_EQ(model_.nodes[3].name, "cone collider");
+  EXPECT_EQ(model_.nodes[3].translation, (std::vector<double>{0, 1, 0}));
+  const tinygltf::Value shapes = model_.extensions.at("KHR_implicit_shapes").Get("shapes");
+  const int shape = of_node(3).Get("collider").Get("geometry").Get("shape").GetNumberAsInt();
+  const tinygltf::Value cylinder = shapes.Get(shape).Get("cylinder");
+  EXPECT_EQ(cylinder.Get("height").GetNumberAsDouble(), 4);
+  EXPECT_EQ(cylinder.Get("radiusBottom").GetNumberAsDouble(), 1);
+  EXPECT_EQ(cylinder.Get("radiusTop").GetNumberAsDouble(), 0);
+}
+
+TEST_F(WithPhysics, APlanesNormalIsItsNodesY) {
+  const tinygltf::Node& node = model_.nodes[4];
+  EXPECT_EQ(node.translation, (std::vector<double>{2, 0, 0}));
+  const Quat turn(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+  EXPECT_LT((turn * Vec3::UnitY() - Vec3::UnitX()).norm(), 1e-12);
+}
+
+TEST_F(WithPhysics, AHullIsThatOfItsMesh) {
+  const tinygltf::Value geometry = of_node(2).Get("collider").Get("geometry");
+  EXPECT_EQ(geometry.Get("node").GetNumberAsInt(), 2);
+  EXPECT_TRUE(geometry.Get("convexHull").Get<bool>());
+}
+
+// Of two such bodies the product is the friction that the run has for them: √(0.25·0.25).
+TEST_F(WithPhysics, FrictionsCombineToTheirGeometricMean) {
+  const tinygltf::Value materials = model_.extensions.at("KHR_physics_rigid_bodies").Get("physicsMaterials");
+  EXPECT_EQ(materials.Get(0).Get("dynamicFriction").GetNumberAsDouble(), 0.5);
+  EXPECT_EQ(materials.Get(0).Get("frictionCombine").Get<std::string>(), "multiply");
+  EXPECT_EQ(materials.Get(0).Get("restitution").GetNumberAsDouble(), 0.5);
+}
+
+TEST_F(WithPhysics, TheFileSaysThatItUsesThemAndNotThatItNeedsThem) {
+  EXPECT_EQ(model_.extensionsUsed,
+            (std::vector<std::string>{"KHR_physics_rigid_bodies", "KHR_implicit_shapes"}));
+  EXPECT_TRUE(model_.extensionsRequired.empty());
+}
+
+TEST(AnimationGlb, HasNoExtensionsUnasked) {
+  EXPECT_TRUE(ScriptedMotion(0.1).model.extensionsUsed.empty());
+}
+
 TEST(AnimationGlb, NoFramesMeanNoAnimation) {
   const ScriptedMotion motion(0.1, 0);
   EXPECT_EQ(motion.model.nodes.size(), 3u);

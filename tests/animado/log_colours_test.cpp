@@ -1,0 +1,51 @@
+// src/animado/log_colours.cpp
+#include "animado/log_colours.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+namespace animado {
+namespace {
+
+std::string without_colours(const std::string& text) {
+  return std::regex_replace(text, std::regex("\x1b\\[[0-9;]*m"), "");
+}
+
+std::string line_of(const std::string& module, const std::string& level = "info") {
+  return "2026-11-22T15:30:07.907416Z " + level + " " + module + " 24784#22 prepare matrices=2 1.8 µs ok";
+}
+
+TEST(LogColours, TheTextStaysAsItIs) {
+  for (const std::string& line :
+       {line_of("egesp"), line_of("fred", "warning"), line_of("controle", "error")}) {
+    EXPECT_NE(coloured_log_line(line), line);
+    EXPECT_EQ(without_colours(coloured_log_line(line)), line);
+  }
+}
+
+TEST(LogColours, EachModuleHasItsOwn) {
+  std::set<std::string> seen;
+  for (const std::string module : {"interexpserv", "egesp", "fred", "colisao", "controle"}) {
+    std::smatch found;
+    const std::string line = coloured_log_line(line_of(module));
+    ASSERT_TRUE(std::regex_search(line, found, std::regex("\x1b\\[([0-9;]*)m" + module)));
+    seen.insert(found[1]);
+  }
+  EXPECT_EQ(seen.size(), 5u);
+}
+
+TEST(LogColours, WarningsAndErrorsStandOut) {
+  EXPECT_THAT(coloured_log_line(line_of("egesp", "warning")), testing::HasSubstr("\x1b[1;33mwarning"));
+  EXPECT_THAT(coloured_log_line(line_of("egesp", "error")), testing::HasSubstr("\x1b[1;31mprepare"));
+}
+
+TEST(LogColours, AnotherLineComesBackAsItIs) {
+  for (const std::string line : {"", "no log", "a b c d e f", "time info nobody - text"})
+    EXPECT_EQ(coloured_log_line(line), line);
+}
+
+}  // namespace
+}  // namespace animado
