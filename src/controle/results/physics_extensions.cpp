@@ -53,7 +53,9 @@ struct ColliderOf {
   Collider operator()(const Hull&) const { return {}; }
   // Infinite where no size is given; its normal is the node's y.
   Collider operator()(const HalfSpace& s) const {
-    return {"plane", {}, {s.normal * s.offset_m, Quat::FromTwoVectors(Vec3::UnitY(), s.normal)}};
+    return {"plane",
+            {{"doubleSided", Value(false)}},
+            {s.normal * s.offset_m, Quat::FromTwoVectors(Vec3::UnitY(), s.normal)}};
   }
 };
 

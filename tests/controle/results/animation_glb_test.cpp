@@ -235,6 +235,11 @@ TEST_F(WithPhysics, APlanesNormalIsItsNodesY) {
   EXPECT_EQ(node.translation, (std::vector<double>{2, 0, 0}));
   const Quat turn(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
   EXPECT_LT((turn * Vec3::UnitY() - Vec3::UnitX()).norm(), 1e-12);
+  const tinygltf::Value shapes = model_.extensions.at("KHR_implicit_shapes").Get("shapes");
+  const tinygltf::Value plane =
+      shapes.Get(of_node(4).Get("collider").Get("geometry").Get("shape").GetNumberAsInt());
+  EXPECT_TRUE(plane.Get("plane").IsObject());
+  EXPECT_FALSE(plane.Get("plane").Has("sizeX")) << "it is infinite";
 }
 
 TEST_F(WithPhysics, AHullIsThatOfItsMesh) {
