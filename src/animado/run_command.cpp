@@ -13,6 +13,7 @@
 #include "animado/run_ways.hpp"
 #include "animado/scene_check.hpp"
 #include "animado/terminal.hpp"
+#include "animado/watch_run.hpp"
 #include "controle/results/results_directory.hpp"
 
 namespace animado {
@@ -27,6 +28,7 @@ constexpr auto kExamples =
     "  animado run scenes/colisao.animado --in-process   one process instead of five: the same bits\n"
     "  animado run scenes/colisao.animado --mp4          a film too\n"
     "  animado run scenes/colisao.animado --json         the summary as JSON on stdout\n"
+    "  animado run scenes/spring.animado --live          a page to watch it, pause it and edit its names\n"
     "  animado run --replay runs/spring                  the same once more, with the edits it took\n\n"
     "Exit codes: 0 done, 2 usage, 3 scene refused, 4 the motion diverged, 5 a service was lost, 130 "
     "interrupted.\n";
@@ -34,8 +36,9 @@ constexpr auto kExamples =
 struct Options {
   std::string scene, out, name, replay_of;
   bool extensions = false, in_process = false, quiet = false, json = false, keep_services = false;
+  bool no_pictures = false, mp4 = false, live = false;
+  uint16_t port = 0;
   std::optional<Replay> replay;
-  bool no_pictures = false, mp4 = false;
 };
 
 ProgressDisplay::Style style(const Options& options) {
@@ -78,8 +81,14 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
     finish(options, results, code);
     return code;
   }
+  std::unique_ptr<live::Watch> watch;
+  if (options.live) {
+    watch = watch_run(request, options.port);
+    request.pace_fd = watch->pace_fd();
+  }
   return run_with_services(request, [&](ExitCode code) {
     display.clear();
+    if (watch) end_watch(*watch, results.path());
     finish(options, results, code);
     return fs::exists(results.logs()) ? results.logs() : results.final_path() / "logs";
   });
@@ -136,6 +145,11 @@ void add_run_command(CommandLine& line) {
       ->excludes(in_process);
   command.add_flag("--extensions", options->extensions,
                    "animation.glb holds masses and solids too: drafts of glTF extensions (docs/results.md)");
+  const auto live = command
+                        .add_flag("--live", options->live,
+                                  "Serve a page on 127.0.0.1 that watches the run, which waits for it")
+                        ->excludes(in_process);
+  command.add_option("--port", options->port, "Port of the page (default: any that is free)")->needs(live);
   command
       .add_option("--replay", options->replay_of,
                   "Instead of a scene: results of a run, which is made again with the edits that it took")

@@ -23,19 +23,29 @@ void refuse_huge(const std::filesystem::path& states) {
               states.string(), "give the scene's `time` a longer `step`: fewer frames, the same motion");
 }
 
-}  // namespace
-
-std::string page_with(const controle::RecordedRun& run, const std::optional<Traffic>& traffic) {
+std::string page_around(std::string_view run) {
   constexpr std::string_view kPlace = "<!--ANIMADO-RUN-->";
   const std::string_view page = page_template();
   const size_t place = page.find(kPlace);
   if (place == std::string_view::npos) {
-    throw Error(Code::internal, "the page has no place for a run", "web/src/page.html",
+    throw Error(Code::internal, "the page has no place for a run", "web/page.html",
                 "keep its comment ANIMADO-RUN");
   }
   std::string text(page.substr(0, place));
-  text += base64(gzip(payload(run, traffic)));
+  text += run;
   return text += page.substr(place + kPlace.size());
+}
+
+}  // namespace
+
+std::string page_with(const controle::RecordedRun& run, const std::optional<Traffic>& traffic) {
+  return page_around(base64(gzip(payload(run, traffic))));
+}
+
+std::string live_page() {
+  constexpr std::string_view kRoot = "<html ";
+  std::string page = page_around("");
+  return page.insert(page.find(kRoot) + kRoot.size(), "data-live ");
 }
 
 void write_report(const std::filesystem::path& directory) {
