@@ -22,8 +22,7 @@ export function slerp(a, b, fraction, out) {
   let cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const side = cosine < 0 ? -1 : 1;  // q and −q turn alike: take the nearer
   cosine *= side;
-  // Where the arc is hardly one, its sine has no digits left and the chord is as good.
-  const angle = cosine < 0.9995 ? Math.acos(cosine) : 0;
+  const angle = Math.acos(Math.min(1, cosine));
   const keep = angle ? Math.sin((1 - fraction) * angle) : 1 - fraction;
   const take = (angle ? Math.sin(fraction * angle) : fraction) * side;
   for (let i = 0; i < 4; ++i) out[i] = keep * a[i] + take * b[i];

@@ -9,9 +9,9 @@ import { encode, pack, quantized, turns } from "./pack.mjs";
 const half = Math.SQRT1_2;
 
 function packed(format = 1) {
-  const bodies = [{ name: "floor", frames: 1 }, { name: "ball", frames: 3 }];
-  const position = [[[1, 2, 3]], [[0, 0, 5], [0, 10, 5], [0, 7, 5]]];
-  const rotation = [[[1, 0, 0, 0]], [[1, 0, 0, 0], [half, half, 0, 0], [0, 1, 0, 0]]];
+  const bodies = [{ name: "ball", frames: 3 }, { name: "floor", frames: 1 }, { name: "wall", frames: 1 }];
+  const position = [[[0, 0, 5], [0, 10, 5], [0, 7, 5]], [[1, 2, 3]], [[4, 5, 6]]];
+  const rotation = [[[1, 0, 0, 0], [half, half, 0, 0], [0, 1, 0, 0]], [[0, 0, 1, 0]], [[0, 0, 0, 1]]];
   return pack({ format, bodies, frames: 3, text: "esferá" }, {
     time_s: { type: "f64", values: [0, 0.1, 0.2] },
     position: quantized(position), rotation: turns(rotation), velocity: quantized(position),
@@ -29,9 +29,9 @@ test("a payload reads back: header, times, facts, poses within the step of 16 bi
   assert.deepEqual([...motion.times_s], [0, 0.1, 0.2]);
   assert.deepEqual([...motion.facts.kinetic_J], [1, 2, 3]);
   const out = [];
-  motion.position(1, 2, out);
+  motion.position(0, 2, out);
   near(out, [0, 7, 5], 10 / 65535);
-  motion.rotation(1, 1, out);
+  motion.rotation(0, 1, out);
   near(out, [half, half, 0, 0], 1e-4);
   assert.ok(Math.abs(Math.hypot(...out) - 1) < 1e-12, "unit quaternion");
 });
@@ -39,10 +39,11 @@ test("a payload reads back: header, times, facts, poses within the step of 16 bi
 test("a body that stands has one frame, and is there at all of them", async () => {
   const motion = new RecordedMotion(await unpack(encode(packed())));
   const out = [];
-  motion.position(0, 2, out);
-  assert.deepEqual(out, [1, 2, 3]);
-  assert.equal(motion.moves(0), false);
-  assert.equal(motion.moves(1), true);
+  motion.position(2, 2, out);
+  assert.deepEqual(out, [4, 5, 6]);
+  motion.rotation(1, 2, out);
+  assert.deepEqual(out, [0, 0, 1, 0]);
+  assert.deepEqual([0, 1, 2].map((body) => motion.moves(body)), [true, false, false]);
 });
 
 for (const [what, payload, message] of [
