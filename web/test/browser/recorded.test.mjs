@@ -57,6 +57,18 @@ test("the paper's run: from disk, without a request, drawn, at every part", asyn
   assert.deepEqual(page.errors, []);
 });
 
+test("nothing is drawn while nothing changes", async () => {
+  const page = await open(browser, { address: written("paper.html", pageOf(paper())) });
+  const more = await page.evaluate(async () => {
+    const frames = async (n) => { while (n-- > 0) await new Promise((resolve) => requestAnimationFrame(resolve)); };
+    await frames(10);
+    const before = window.animado.pictures();
+    await frames(20);
+    return window.animado.pictures() - before;
+  });
+  assert.equal(more, 0);
+});
+
 test("keys, the slider, a plot and an event move the one time", async () => {
   const page = await open(browser, { address: written("paper.html", pageOf(paper())) });
   await pressed(page, "End", 3.3);
