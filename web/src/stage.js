@@ -1,5 +1,5 @@
 // What the bodies stand on and are lit by: a sun with soft shadows, the sky's light, the scene's planes. A level plane
-// is paper with lines and shadows; a scene without one gets such a floor at the lowest point of its motion, to tell
+// is paper with lines and shadows; a scene without planes gets such a floor at the lowest point of its motion, to tell
 // heights by.
 
 import {
@@ -57,23 +57,24 @@ export class Stage extends Group {
   #build(center, radius_m, lowest_m) {
     this.#floor.clear();
     this.#planes = [];
-    let level = false;
     this.#bodies.forEach((body, index) => {
       if (body.shape.kind !== "plane") return;
       const { normal, point } = this.#plane(body.shape, index, center);
       const is_level = normal.y > 0.999;
-      level ||= is_level;
       this.#place(this.#surface(radius_m, body.color, is_level), normal, point);
-      if (is_level) this.#level(radius_m, point);
+      if (normal.y > 0.5) this.#place(new Grid(EXTENT * radius_m, radius_m), normal, point);
+      if (is_level) this.#shadows(radius_m, point);
     });
-    if (!level) this.#level(radius_m, new Vector3(center.x, lowest_m, center.z));
+    if (this.#planes.length) return;
+    const point = new Vector3(center.x, lowest_m, center.z);
+    this.#place(new Grid(EXTENT * radius_m, radius_m), UP, point);
+    this.#shadows(radius_m, point);
   }
 
-  #level(radius_m, point) {
+  #shadows(radius_m, point) {
     const shadow = new Mesh(square(SHADOWED * radius_m), new ShadowMaterial({ opacity: 0.2, depthWrite: false }));
     shadow.receiveShadow = true;
     this.#place(shadow, UP, point);
-    this.#place(new Grid(EXTENT * radius_m, radius_m), UP, point);
   }
 
   // The plane's normal in the world and its point that is nearest to the middle of the motion.
