@@ -15,7 +15,7 @@ export function graphics(bodies) {
   if (isSoftware()) {
     return many
       ? { antialias: false, sharpest: 0.75, soft: false, shadow_px: 512, shadow_every: 6, around: 8, along: 4 }
-      : { antialias: true, sharpest: 1, soft: true, shadow_px: 1024, shadow_every: 1, around: 32, along: 20 };
+      : { antialias: false, sharpest: 1, soft: true, shadow_px: 512, shadow_every: 1, around: 32, along: 20 };
   }
   return { antialias: true, sharpest: 1.5, soft: true, shadow_px: 2048, shadow_every: 1,
            ...(many ? { around: 20, along: 12 } : { around: 48, along: 32 }) };
