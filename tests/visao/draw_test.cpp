@@ -79,7 +79,7 @@ TEST(Draw, ABallThrowsAShadow) {
     const Vec3 seen = camera.seen(point_m);
     return picture.at(static_cast<int>((seen.x() + 1) * 48), static_cast<int>((1 - seen.y()) * 48)).green;
   };
-  EXPECT_LT(brightness_at(in_shadow) + 25, brightness_at(-in_shadow));
+  EXPECT_LT(brightness_at(in_shadow) + 15, brightness_at(-in_shadow));
 }
 
 TEST(Draw, TheUnderSideIsDarkerThanTheTop) {
