@@ -105,6 +105,16 @@ TEST_F(TrafficTest, AnAnswerWithoutAnImpactIsNone) {
   EXPECT_EQ(read({impact(0.9)})->step, 2);
 }
 
+TEST_F(TrafficTest, AnImpactOfAnEarlierStepIsNotThisOnes) {
+  call("fred", "stage", 10);
+  end_step(1, 0.1);
+  call("fred", "stage", 10);
+  end_step(2, 0.2);
+  respond(100, 20);
+  end_step(3, 0.3);
+  EXPECT_EQ(read({impact(0.05)})->step, 2);
+}
+
 TEST_F(TrafficTest, AStepThatIsTooLongToDrawIsPassedOver) {
   for (int step = 1; step <= 2; ++step) {
     for (int k = 0; k < (step == 1 ? 500 : 5); ++k) call("fred", "stage", 2);
