@@ -101,6 +101,28 @@ TEST(Completion, ZshReadsItsOwn) {
                             "--quiet[No progress and no report; errors are still told]"}));
 }
 
+// Keys are typed into a zsh of its own; what it shows is read until what is waited for is there.
+TEST(Completion, ZshCompletesWithTab) {
+  if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
+  const TemporaryDirectory directory;
+  const std::string script =
+      "zmodload zsh/zpty; zpty shell zsh -f -i\n"
+      "zpty -w shell \"autoload -Uz compinit; compinit -u -d $1/dump; cd '" +
+      kSource.string() + "'; source <('" + kAnimado.string() +
+      "' completion zsh); print rea''dy\"\n"
+      "zpty -r shell seen '*ready*'\n"
+      "typed() { zpty -n -w shell $'\\x15'\"$1\"$'\\t'; zpty -r shell seen \"*$2*\"; print -- \"$2\"; }\n"
+      "typed 'animado compl' 'completion'\n"
+      "typed 'animado run scenes/coli' 'sao.animado'\n"
+      "typed 'animado run --in-p' 'rocess'\n"
+      "typed 'animado solve --method sp' 'arse'\n"
+      "typed 'animado plot runs x resi' 'dual'\n";
+  const Words words = {"20", "zsh", "-f", "-c", script, "zsh", directory.path()};
+  const Outcome outcome = Command(directory, words, "/usr/bin/timeout").finish();
+  EXPECT_EQ(outcome.code, 0) << "after " << outcome.out << outcome.err;
+  EXPECT_EQ(lines_of(outcome.out), (Words{"completion", "sao.animado", "rocess", "arse", "dual"}));
+}
+
 void expect_clean(const std::string& page, const std::string& name) {
   const TemporaryDirectory directory;
   const fs::path file = write_text(directory / "page.1", page);
