@@ -102,6 +102,8 @@ std::string bash_completion(const CLI::App& program) {
     Words positionals;
     for (const CLI::Option* option : positionals_of(*command))
       positionals.push_back(quoted(kind_text(values_of(*option))));
+    // Another program has its options; what it is given first is a folder.
+    if (command->get_prefix_command()) positionals.push_back(quoted(kind_text({ValueKind::folders})));
     text += branch(command->get_name(), *command, positionals);
   }
   return text + kTail;

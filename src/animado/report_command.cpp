@@ -20,7 +20,7 @@ constexpr auto kExamples =
 void add_report_command(CommandLine& line) {
   const auto directory = std::make_shared<fs::path>();
   CLI::App& command = add_command(line, "report", "Make the page of a run: report.html", kExamples);
-  command.add_option("results", *directory, "The folder of a run")->required();
+  command.add_option("results", *directory, "The folder of a run")->required()->type_name(kFolderType);
   command.callback([&line, directory] {
     try {
       report::write_report(*directory);

@@ -61,6 +61,9 @@ std::string arguments(const CLI::App& command) {
       text += fmt::format(" \\\n        '{}[{}]{}'", name, about, value);
     }
   }
+  // Another program has its options; what it is given first is a folder.
+  if (command.get_prefix_command())
+    text += fmt::format(" \\\n        '*:directory:{}'", action({ValueKind::folders}));
   const auto positionals = positionals_of(command);
   for (size_t i = 0; i < positionals.size(); ++i) {
     const std::string place = i + 1 == positionals.size() ? "*" : fmt::to_string(i + 1);

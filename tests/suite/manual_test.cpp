@@ -75,7 +75,8 @@ TEST(Completion, OfScenesAndFolders) {
   EXPECT_EQ(completed({"animado", "run", "scenes/coli"}), Words{"scenes/colisao.animado"});
   EXPECT_EQ(completed({"animado", "run", "--out", "scenes", "scenes/paddle"}), Words{""})
       << "paddle.csv is no scene";
-  EXPECT_EQ(completed({"animado", "plot", "sce"}), Words{"scenes"});
+  for (const std::string command : {"plot", "render", "report"})
+    EXPECT_EQ(completed({"animado", command, "sce"}), Words{"scenes"}) << command;
   EXPECT_EQ(completed({"animado", "run", "--out", "sce"}), Words{"scenes"});
 }
 
