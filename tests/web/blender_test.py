@@ -28,7 +28,7 @@ def main():
         skip("Blender has no numpy, which its importer needs; apt-get install python3-numpy brings it")
     with tempfile.TemporaryDirectory() as directory:
         out = pathlib.Path(directory) / "run"
-        subprocess.run([animado, "run", scene, "--in-process", "--quiet", "--out", out], check=True)
+        subprocess.run([animado, "run", scene, "--in-process", "--quiet", "--no-pictures", "--out", out], check=True)
         compare = [blender, "-b", "--factory-startup", "--python-exit-code", "1", "--python", HERE / "blender_compare.py", "--", out]
         return subprocess.run(compare).returncode
 

@@ -25,7 +25,7 @@ function validatorOfThePage() {
 
 function glbOf(animado, scene, options, directory) {
   const out = join(directory, 'run');
-  execFileSync(animado, ['run', scene, '--in-process', '--quiet', '--out', out, ...options], { stdio: 'inherit' });
+  execFileSync(animado, ['run', scene, '--in-process', '--quiet', '--no-pictures', '--out', out, ...options], { stdio: 'inherit' });
   return readFileSync(join(out, 'animation.glb'));
 }
 
