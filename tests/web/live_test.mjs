@@ -19,7 +19,7 @@ shape plane(normal=(0, 1, 0), offset=-1)
 motion static
 time
 start 0
-end 6
+end 60
 step 0.05
 `;
 
@@ -79,6 +79,8 @@ await withBrowser(async (browser) => {
     await page.locator("#play").click();
     await says("live-answer", /From .* on/);
     await picture(page, "live-edited", { fullPage: true });
+    await page.locator("#live-status").click();  // out of the form: keys steer the run again
+    for (let faster = 0; faster < 12; ++faster) await page.keyboard.press("]");
 
     assert.equal(await run.ended, 0, run.said());
     await says("live-status", /State hash [0-9a-f]{16}/);
