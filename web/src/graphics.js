@@ -6,20 +6,23 @@ const MANY = 300;  // bodies; they are small on the screen, and few triangles ea
 
 /**
  * @param {number} bodies
- * @returns {{antialias: boolean, sharpest: number, soft: boolean, shadow_px: number, shadow_every: number,
- *   around: number, along: number}} sharpest: screen pixels a CSS pixel; soft: shadows have soft edges, and fall on
- *   bodies too; shadow_every: pictures from shadow to shadow while bodies move; around, along: facets of curved shapes
+ * @returns {{antialias: boolean, sharpest: number, moving: number, soft: boolean, shadow_px: number,
+ *   shadow_moves: boolean, around: number, along: number, impulses: number}} sharpest: screen pixels a CSS pixel;
+ *   moving: the same while it plays; soft: shadows have soft edges, and fall on bodies too; shadow_moves: else there
+ *   are none while it plays; around, along: facets of curved shapes; impulses: how many are shown at once
  */
 export function graphics(bodies) {
   const many = bodies > MANY;
-  if (isSoftware()) {
-    return many
-      ? { antialias: false, sharpest: 0.75, soft: false, shadow_px: 512, shadow_every: 6, around: 8, along: 4 }
-      : { antialias: false, sharpest: 1, soft: true, shadow_px: 512, shadow_every: 1, around: 32, along: 20 };
-  }
-  return { antialias: true, sharpest: 1.5, soft: true, shadow_px: 2048, shadow_every: 1,
-           ...(many ? { around: 20, along: 12 } : { around: 48, along: 32 }) };
+  if (isSoftware()) return many ? COARSE : PLAIN;
+  return many ? { ...FINE, around: 20, along: 12 } : FINE;
 }
+
+const FINE = { antialias: true, sharpest: 1.5, moving: 1.5, soft: true, shadow_px: 2048, shadow_moves: true,
+               around: 48, along: 32, impulses: 64 };
+const PLAIN = { antialias: false, sharpest: 1, moving: 1, soft: true, shadow_px: 512, shadow_moves: true,
+                around: 32, along: 20, impulses: 64 };
+const COARSE = { antialias: false, sharpest: 1, moving: 0.5, soft: false, shadow_px: 512, shadow_moves: false,
+                 around: 6, along: 4, impulses: 12 };
 
 function isSoftware() {
   const gl = document.createElement("canvas").getContext("webgl2");

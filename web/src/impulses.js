@@ -8,7 +8,6 @@ import {
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { lastBefore } from "./moments.js";
 
-const SHOWN_AT_ONCE = 64;  // the newest; more arrows than that hide each other and the bodies
 const UP = new Vector3(0, 1, 0);
 
 export class Impulses extends Group {
@@ -17,18 +16,23 @@ export class Impulses extends Group {
   #measured = 0;
   #dots;
   #arrows;
+  #most;
   #matrix = new Matrix4();
   #turn = new Quaternion();
 
-  /** @param {object[]} events in the order of time; a live run appends to them */
-  constructor(events) {
+  /**
+   * @param {object[]} events in the order of time; a live run appends to them
+   * @param {number} most shown at once, the newest: more arrows hide each other and the bodies
+   */
+  constructor(events, most) {
     super();
+    this.#most = most;
     this.#events = events;
     // Seen through bodies: contacts lie between two of them.
     const ink = new MeshBasicMaterial({ depthTest: false, transparent: true });
     this.material = ink;
-    this.#dots = new InstancedMesh(new SphereGeometry(1, 12, 8), ink, SHOWN_AT_ONCE);
-    this.#arrows = new InstancedMesh(arrow(), ink, SHOWN_AT_ONCE);
+    this.#dots = new InstancedMesh(new SphereGeometry(1, 12, 8), ink, most);
+    this.#arrows = new InstancedMesh(arrow(), ink, most);
     for (const mesh of [this.#dots, this.#arrows]) {
       mesh.frustumCulled = false;
       mesh.renderOrder = 2;
@@ -42,7 +46,7 @@ export class Impulses extends Group {
       this.#largest_N_s = Math.max(this.#largest_N_s, length(this.#events[this.#measured].impulse_N_s));
     }
     this.#dots.count = this.#arrows.count = 0;
-    for (let i = lastBefore(this.#events, time_s); i >= 0 && this.#dots.count < SHOWN_AT_ONCE; --i) {
+    for (let i = lastBefore(this.#events, time_s); i >= 0 && this.#dots.count < this.#most; --i) {
       const event = this.#events[i];
       if (event.time_s < time_s - window_s) break;
       if (event.point_m) this.#put(event, size_m);

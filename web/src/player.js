@@ -55,7 +55,7 @@ export class Player {
     this.bodies = new Bodies(run.bodies, this.#graphics);
     this.boxes = new BoundingBoxes(run.bodies);
     this.trails = new Trails(run.bodies, run.motion);
-    this.impulses = new Impulses(run.events);
+    this.impulses = new Impulses(run.events, this.#graphics.impulses);
     this.#scene.add(this.stage, this.bodies, this.boxes, this.trails, this.impulses);
     this.#listen(canvas);
   }
@@ -75,7 +75,6 @@ export class Player {
   #resize(canvas) {
     const { clientWidth: width, clientHeight: height } = canvas.parentElement;
     if (!width || !height) return;
-    this.#renderer.setPixelRatio(Math.min(this.#graphics.sharpest, devicePixelRatio));
     this.#renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -143,11 +142,18 @@ export class Player {
   #draw() {
     if (!this.#run.motion.frames) return;
     if (this.#moved) this.#place();
-    const shadows = !this.#clock.playing || this.drawn % this.#graphics.shadow_every === 0;
+    this.#sharpen(this.#clock.playing ? this.#graphics.moving : this.#graphics.sharpest);
+    const shadows = !this.#clock.playing || this.#graphics.shadow_moves;
+    this.stage.showShadows(shadows);
     this.#renderer.shadowMap.needsUpdate = this.#moved && shadows;
     this.#moved = false;
     this.#renderer.render(this.#scene, this.camera);
     ++this.drawn;
+  }
+
+  #sharpen(wanted) {
+    const ratio = Math.min(wanted, devicePixelRatio);
+    if (ratio !== this.#renderer.getPixelRatio()) this.#renderer.setPixelRatio(ratio);
   }
 
   #place() {

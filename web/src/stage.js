@@ -18,6 +18,7 @@ export class Stage extends Group {
   #sky = new HemisphereLight(0xffffff, 0x777770, 1.5);
   #floor = new Group();
   #planes = [];
+  #shadow;  // on the floor
   #bodies;
   #motion;
 
@@ -74,7 +75,12 @@ export class Stage extends Group {
   #shadows(radius_m, point) {
     const shadow = new Mesh(square(SHADOWED * radius_m), new ShadowMaterial({ opacity: 0.2, depthWrite: false }));
     shadow.receiveShadow = true;
+    this.#shadow = shadow;
     this.#place(shadow, UP, point);
+  }
+
+  showShadows(visible) {
+    if (this.#shadow) this.#shadow.visible = visible;
   }
 
   // The plane's normal in the world and its point that is nearest to the middle of the motion.
