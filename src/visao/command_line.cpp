@@ -42,8 +42,10 @@ std::unique_ptr<CLI::App> command_line(const std::string& program, Options& opti
   app->add_option("--size", options.size,
                   "WxH of the page or of the film, px; W alone: as high as it comes (default: 1280; a film: "
                   "1280x720)");
-  app->add_option("--frames", options.frames,
-                  "How many, evenly (12), which (3,5,8), or from one to another (10..20); default: 12");
+  app->add_option(
+      "--frames", options.frames,
+      "How many, evenly (12), which (3,5,8), or from one to another (10..20); default: 12, fewer of "
+      "many bodies");
   app->add_option("--output", options.output,
                   "File to write (default: sheet.png, or film.mp4, beside the results)");
   app->add_flag("--mp4", options.mp4, "A film instead: 30 pictures a second, at real speed; needs ffmpeg");

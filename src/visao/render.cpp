@@ -21,6 +21,8 @@ using controle::RecordedRun;
 
 constexpr int kDone = 0, kInterrupted = 130;
 constexpr size_t kFramesOnASheet = 12;
+constexpr size_t kBodiesOnASheet =
+    8000;  // in all its frames: what a run leaves by itself costs a second or two
 constexpr int kSmallest_px = 64, kLargest_px = 16384;
 
 std::atomic<bool> stop_asked = false;
@@ -67,8 +69,9 @@ std::vector<size_t> frames_of(const Options& options, const RecordedRun& run) {
     throw Error(Code::refused, "the run has no frames", options.directory.string(),
                 "there is nothing to see of a scene that was refused or stopped at once; run it again");
   }
-  return options.frames.empty() ? even_frames(run.frames(), kFramesOnASheet)
-                                : named_frames(options.frames, run.frames());
+  if (!options.frames.empty()) return named_frames(options.frames, run.frames());
+  const size_t affordable = kBodiesOnASheet / std::max<size_t>(run.bodies.size(), 1);
+  return even_frames(run.frames(), std::clamp<size_t>(affordable, 1, kFramesOnASheet));
 }
 
 int make_sheet(const Options& options, const RecordedRun& run, const fs::path& file) {
