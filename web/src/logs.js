@@ -31,7 +31,7 @@ export class Logs {
       if (!column.waiting.length) continue;
       const { lines } = column;
       const at_end = lines.scrollHeight - lines.scrollTop - lines.clientHeight < NEAR_PX;
-      lines.append(...column.waiting.map((line) => element("span", { class: tone(line) }, `${line}\n`)));
+      lines.append(...column.waiting.map((line) => element("span", { class: tone(line) }, `${short(line)}\n`)));
       column.waiting = [];
       while (lines.childNodes.length > KEPT) lines.firstChild.remove();
       if (at_end) lines.scrollTop = lines.scrollHeight;
@@ -39,4 +39,6 @@ export class Logs {
   }
 }
 
+// A column has no room for the day, and stands for its module.
+const short = (line) => line.replace(/^\d+-\d+-\d+T(\S+\.\d{3})\d*Z \w+ \w+ /, "$1 ");
 const tone = (line) => (/ (warning|error|critical) /.test(line) ? "loud" : null);
