@@ -21,8 +21,8 @@ using controle::RecordedRun;
 
 constexpr int kDone = 0, kInterrupted = 130;
 constexpr size_t kFramesOnASheet = 12;
-constexpr size_t kBodiesOnASheet =
-    8000;  // in all its frames: what a run leaves by itself costs a second or two
+// In all its frames: what a run leaves by itself costs a second or two.
+constexpr size_t kBodiesOnASheet = 8000;
 constexpr int kSmallest_px = 64, kLargest_px = 16384;
 
 std::atomic<bool> stop_asked = false;
@@ -64,19 +64,24 @@ std::string title_of(const RecordedRun& run) {
   return summary.is_object() ? fs::path(summary.value("scene", "")).stem().string() : "";
 }
 
-std::vector<size_t> frames_of(const Options& options, const RecordedRun& run) {
+// The frames that were asked for; without a word, so many from the first to the last.
+std::vector<size_t> frames_of(const Options& options, const RecordedRun& run, size_t otherwise) {
   if (run.frames() == 0) {
     throw Error(Code::refused, "the run has no frames", options.directory.string(),
                 "there is nothing to see of a scene that was refused or stopped at once; run it again");
   }
-  if (!options.frames.empty()) return named_frames(options.frames, run.frames());
+  return options.frames.empty() ? even_frames(run.frames(), otherwise)
+                                : named_frames(options.frames, run.frames());
+}
+
+size_t frames_on_a_sheet(const RecordedRun& run) {
   const size_t affordable = kBodiesOnASheet / std::max<size_t>(run.bodies.size(), 1);
-  return even_frames(run.frames(), std::clamp<size_t>(affordable, 1, kFramesOnASheet));
+  return std::clamp<size_t>(affordable, 1, kFramesOnASheet);
 }
 
 int make_sheet(const Options& options, const RecordedRun& run, const fs::path& file) {
   const AskedSize asked = size_of(options.size);
-  SheetRequest request{frames_of(options, run), view_of(options)};
+  SheetRequest request{frames_of(options, run, frames_on_a_sheet(run)), view_of(options)};
   request.width_px = asked.width_px.value_or(request.width_px);
   request.height_px = asked.height_px;
   request.title = title_of(run);
@@ -85,7 +90,7 @@ int make_sheet(const Options& options, const RecordedRun& run, const fs::path& f
 }
 
 int make_film(const Options& options, const RecordedRun& run, const fs::path& file) {
-  const std::vector<size_t> frames = frames_of(options, run);
+  const std::vector<size_t> frames = frames_of(options, run, 2);  // the first and the last
   FilmRequest request{file, run.times_s[frames.front()], run.times_s[frames.back()], view_of(options)};
   const AskedSize asked = size_of(options.size);
   const int width_px = asked.width_px.value_or(request.size.width_px);

@@ -7,9 +7,10 @@ const MANY = 300;  // bodies; they are small on the screen, and few triangles ea
 /**
  * @param {number} bodies
  * @returns {{antialias: boolean, sharpest: number, moving: number, soft: boolean, shadow_px: number,
- *   shadow_moves: boolean, around: number, along: number, impulses: number}} sharpest: screen pixels a CSS pixel;
- *   moving: the same while it plays; soft: shadows have soft edges, and fall on bodies too; shadow_moves: else there
- *   are none while it plays; around, along: facets of curved shapes; impulses: how many are shown at once
+ *   shadow_moves: boolean, around: number, along: number, impulses: number, sparing: boolean}} sharpest: screen pixels
+ *   a CSS pixel; moving: the same while it plays; soft: shadows have soft edges, and fall on bodies too; shadow_moves:
+ *   else there are none while it plays; around, along: facets of curved shapes; impulses: how many are shown at once;
+ *   sparing: what stands beside the picture moves less often
  */
 export function graphics(bodies) {
   const many = bodies > MANY;
@@ -18,11 +19,11 @@ export function graphics(bodies) {
 }
 
 const FINE = { antialias: true, sharpest: 1.5, moving: 1.5, soft: true, shadow_px: 2048, shadow_moves: true,
-               around: 48, along: 32, impulses: 64 };
+               around: 48, along: 32, impulses: 64, sparing: false };
 const PLAIN = { antialias: false, sharpest: 1, moving: 1, soft: true, shadow_px: 512, shadow_moves: true,
-                around: 32, along: 20, impulses: 64 };
+                around: 32, along: 20, impulses: 64, sparing: false };
 const COARSE = { antialias: false, sharpest: 1, moving: 0.5, soft: false, shadow_px: 512, shadow_moves: false,
-                 around: 6, along: 4, impulses: 12 };
+                 around: 6, along: 4, impulses: 12, sparing: true };
 
 function isSoftware() {
   const gl = document.createElement("canvas").getContext("webgl2");

@@ -57,7 +57,7 @@ function show(run) {
   const choice = new Choice(firstMoving(run.bodies));
   const page = { clock, driver: new Playback(clock, run.motion) };
   page.player = picture(run, clock, choice);
-  page.plots = new Plots(byId("plot-grid"), run, clock, choice);
+  page.plots = new Plots(byId("plot-grid"), run, clock, choice, page.player?.graphics.sparing ?? false);
   page.events = new EventList(byId("event-box"), run.events, clock, run.step_s);
   page.tell = transport(clock, () => page.driver, run.step_s);
   sceneText(byId("scene-text"), run.scene_text);

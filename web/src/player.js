@@ -22,7 +22,6 @@ const SLOWEST_S = 0.25;      // a page that was hidden does not leap forward whe
 export class Player {
   show = { trails: true, boxes: false, impulses: true, follow: false };
   drawn = 0;  // pictures so far
-  #graphics;
   #renderer;
   #scene = new Scene();
   #run;
@@ -40,10 +39,10 @@ export class Player {
    * @param {import("./choice.js").Choice} choice the body that the reader looks at
    */
   constructor(canvas, run, clock, choice) {
-    this.#graphics = graphics(run.bodies.length);
-    this.#renderer = new WebGLRenderer({ canvas, antialias: this.#graphics.antialias });
+    this.graphics = graphics(run.bodies.length);
+    this.#renderer = new WebGLRenderer({ canvas, antialias: this.graphics.antialias });
     this.#renderer.shadowMap.enabled = true;
-    this.#renderer.shadowMap.type = this.#graphics.soft ? PCFShadowMap : BasicShadowMap;
+    this.#renderer.shadowMap.type = this.graphics.soft ? PCFShadowMap : BasicShadowMap;
     this.#renderer.shadowMap.autoUpdate = false;
     this.#run = run;
     this.#clock = clock;
@@ -51,11 +50,11 @@ export class Player {
     this.#largest_m = Math.max(...run.bodies.map(({ shape }) => reachRadius(shape)));
     this.#poses = new Float32Array(7 * run.bodies.length);
     this.camera = new Camera(canvas, () => this.invalidate());
-    this.stage = new Stage(run.bodies, run.motion, this.#graphics.shadow_px);
-    this.bodies = new Bodies(run.bodies, this.#graphics);
+    this.stage = new Stage(run.bodies, run.motion, this.graphics.shadow_px);
+    this.bodies = new Bodies(run.bodies, this.graphics);
     this.boxes = new BoundingBoxes(run.bodies);
     this.trails = new Trails(run.bodies, run.motion);
-    this.impulses = new Impulses(run.events, this.#graphics.impulses);
+    this.impulses = new Impulses(run.events, this.graphics.impulses);
     this.#scene.add(this.stage, this.bodies, this.boxes, this.trails, this.impulses);
     this.#listen(canvas);
   }
@@ -142,8 +141,8 @@ export class Player {
   #draw() {
     if (!this.#run.motion.frames) return;
     if (this.#moved) this.#place();
-    this.#sharpen(this.#clock.playing ? this.#graphics.moving : this.#graphics.sharpest);
-    const shadows = !this.#clock.playing || this.#graphics.shadow_moves;
+    this.#sharpen(this.#clock.playing ? this.graphics.moving : this.graphics.sharpest);
+    const shadows = !this.#clock.playing || this.graphics.shadow_moves;
     this.stage.showShadows(shadows);
     this.#renderer.shadowMap.needsUpdate = this.#moved && shadows;
     this.#moved = false;

@@ -9,17 +9,20 @@ export class Plots {
   #run;
   #clock;
   #choice;
+  #sparing;
   #plots = new Map();
   #place;
   #values;
   #seen = new Set();
   #watch;
 
-  constructor(place, run, clock, choice) {
+  /** @param {boolean} sparing while it plays the cursor moves only as often as its values are read anew */
+  constructor(place, run, clock, choice, sparing) {
     this.#place = place;
     this.#run = run;
     this.#clock = clock;
     this.#choice = choice;
+    this.#sparing = sparing;
     this.#values = new Readable(clock);
     const update = oncePerFrame(() => this.#showTime());
     this.#watch = new IntersectionObserver((entries) => {
@@ -59,6 +62,7 @@ export class Plots {
 
   #showTime() {
     const with_values = this.#values.due();
+    if (this.#sparing && !with_values) return;
     for (const plot of this.#plots.values()) {
       if (this.#seen.has(plot.node)) plot.showTime(this.#clock.time_s, with_values);
     }

@@ -1,5 +1,6 @@
 // The buttons under the picture, and the slider: a face of the clock, or of the live run.
 
+import { Readable } from "./clock.js";
 import { byId } from "./dom.js";
 import { seconds, speedText } from "./format.js";
 import { bracket } from "./moments.js";
@@ -44,8 +45,10 @@ export function transport(clock, driver, step_s) {
     clock.pause();
     clock.goTo(time_s);
   });
+  const readable = new Readable(clock);
   const tellTime = () => {
     scrub.value = clock.time_s;
+    if (!readable.due()) return;
     const text = `${seconds(clock.time_s, step_s)} s`;
     byId("time").textContent = text;
     scrub.setAttribute("aria-valuetext", text);
