@@ -22,11 +22,12 @@ int main(int argc, char** argv) {
   line.app.require_subcommand(1);
   line.app.set_version_flag("--version", ANIMADO_VERSION);
   for (const auto add :
-       {add_run_command, add_render_command, add_report_command, add_plot_command, add_check_command,
-        add_ps_command, add_top_command, add_ping_command, add_get_command, add_set_command,
-        add_snapshot_command, add_restore_command, add_eval_command, add_watch_command, add_solve_command,
-        add_integrate_command, add_call_command, add_protocol_command, add_log_command,
-        add_completion_command, add_man_command}) {
+       {add_run_command,   add_render_command,   add_report_command,   add_plot_command,
+        add_check_command, add_ps_command,       add_top_command,      add_ping_command,
+        add_get_command,   add_set_command,      add_snapshot_command, add_restore_command,
+        add_eval_command,  add_watch_command,    add_solve_command,    add_integrate_command,
+        add_call_command,  add_protocol_command, add_log_command,      add_completion_command,
+        add_man_command}) {
     add(line);
   }
   try {

@@ -85,10 +85,10 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
   if (options.live) {
     watch = watch_run(request, options.port);
     request.pace_fd = watch->pace_fd();
+    request.on_ended = [&] { end_watch(*watch, results.path()); };
   }
   return run_with_services(request, [&](ExitCode code) {
     display.clear();
-    if (watch) end_watch(*watch, results.path());
     finish(options, results, code);
     return fs::exists(results.logs()) ? results.logs() : results.final_path() / "logs";
   });

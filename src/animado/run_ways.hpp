@@ -18,6 +18,7 @@ struct RunRequest {
   int pace_fd = -1;  // where controle reads how fast to go (controle/pace.hpp); -1: as fast as it can
   std::filesystem::path replay = {};  // events.jsonl of an earlier run whose edits are made again
   controle::OnProgress on_progress = {};
+  std::function<void()> on_ended = {};  // controle has ended, and its files are as it left them
 };
 
 // Five processes: the four services, supervised, and controle. `finish` is called when controle has ended,

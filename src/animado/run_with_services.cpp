@@ -174,6 +174,7 @@ void FiveProcesses::keep_services(const fs::path& logs) {
 ExitCode run_with_services(const RunRequest& request, const Finish& finish) {
   FiveProcesses processes(request);
   const ExitCode code = processes.start_services() ? processes.run_controle() : kInterrupted;
+  if (request.on_ended) request.on_ended();
   processes.write_restarts();
   processes.leave_core();
   const fs::path logs = finish(code);

@@ -10,7 +10,7 @@
 namespace animado::controle {
 namespace {
 
-constexpr double kLongestWait_s = 3600;  // at a time: milliseconds are counted in an int
+constexpr double kLongestWait_s = 0.2;  // at a time: so late a signal is noticed that just misses a wait
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void Pace::wait(double time_s) {
   for (;;) {
     take_commands(time_s);
     if (!open_ || stop_()) return;
-    int timeout_ms = -1;
+    double wait_s = kLongestWait_s;
     if (paused_) {
       if (steps_ > 0) {
         --steps_;
@@ -32,10 +32,10 @@ void Pace::wait(double time_s) {
       const std::chrono::duration<double> passed = Clock::now() - since_;
       const double left_s = (time_s - since_time_s_) / speed_ - passed.count();
       if (left_s <= 0) return;
-      timeout_ms = static_cast<int>(std::ceil(std::min(left_s, kLongestWait_s) * 1000));
+      wait_s = std::min(left_s, kLongestWait_s);
     }
     pollfd command{descriptor_, POLLIN, 0};
-    poll(&command, 1, timeout_ms);
+    poll(&command, 1, static_cast<int>(std::ceil(wait_s * 1000)));
   }
 }
 

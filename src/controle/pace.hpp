@@ -17,7 +17,7 @@ namespace animado::controle {
 
 class Pace {
  public:
-  // descriptor: does not block. stop: asked whenever a signal ends the waiting.
+  // descriptor: does not block. stop: asked now and then while it waits.
   Pace(int descriptor, std::function<bool()> stop);
 
   // Called when a frame is written: returns when the next may begin. Who went away holds up nobody.

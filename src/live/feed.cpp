@@ -44,7 +44,7 @@ Feed::Feed(const std::filesystem::path& directory, size_t bodies)
   }
 }
 
-std::vector<std::string> Feed::take() {
+Feed::Messages Feed::take() {
   Messages messages;
   take_logs(messages);
   take_events(messages);
@@ -61,7 +61,7 @@ void Feed::take_logs(Messages& messages) {
       last.remove_prefix(text.size() - kMostLogBytes);
       last.remove_prefix(last.find('\n') + 1);
     }
-    messages.push_back(text_of({{"type", "log"}, {"module", module}, {"lines", lines_of(last)}}));
+    messages.push_back({{"type", "log"}, {"module", module}, {"lines", lines_of(last)}});
   }
 }
 
@@ -70,7 +70,7 @@ void Feed::take_events(Messages& messages) {
   for (const std::string_view line : lines_of(text)) {
     Json event = Json::parse(line);
     event["type"] = "event";
-    messages.push_back(text_of(event));
+    messages.push_back(std::move(event));
   }
 }
 
@@ -84,12 +84,12 @@ void Feed::take_frames(Messages& messages) {
     Json columns = Json::object();
     const auto numbers = numbers_of(facts);
     for (size_t i = 0; i < numbers.size(); ++i) columns[std::string(controle::kFactNames[i])] = numbers[i];
-    messages.push_back(text_of({{"type", "frame"},
-                                {"frame", frame_},
-                                {"time_s", facts.time_s},
-                                {"position", std::move(poses_.front().positions_m)},
-                                {"rotation", std::move(poses_.front().rotations)},
-                                {"facts", columns}}));
+    messages.push_back({{"type", "frame"},
+                        {"frame", frame_},
+                        {"time_s", facts.time_s},
+                        {"position", std::move(poses_.front().positions_m)},
+                        {"rotation", std::move(poses_.front().rotations)},
+                        {"facts", std::move(columns)}});
     frame_facts_.pop_front();
     poses_.pop_front();
   }

@@ -18,13 +18,13 @@ class Feed {
   // directory: the run's, while it goes.
   Feed(const std::filesystem::path& directory, size_t bodies);
 
-  // Messages (live/messages.hpp) of what is new since the last call.
-  std::vector<std::string> take();
+  using Json = nlohmann::json;
+  using Messages = std::vector<Json>;
+
+  // Messages (web/README.md) of what is new since the last call.
+  Messages take();
 
  private:
-  using Json = nlohmann::json;
-  using Messages = std::vector<std::string>;
-
   void take_logs(Messages& messages);
   void take_events(Messages& messages);
   void take_frames(Messages& messages);

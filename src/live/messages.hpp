@@ -1,17 +1,5 @@
-// The messages between a run that is watched and the pages that watch it: JSON objects as WebSocket texts,
-// told apart by `type`.
-//
-// To the page:
-//   hello     version, scene, scene_text, bodies (as in bodies.json), start_s, end_s, step_s, frames, names:
-//   [{name,
-//             text}] that may be edited, modules; the first one
-//   frame     frame, time_s, position: [x, y, z, …] m, rotation: [w, x, y, z, …], facts: {column of
-//   frames.csv: number} event     a line of events.jsonl log       module, lines pace      paused, speed
-//   (simulated seconds a second; 0: as fast as it can) checked   name, text, error: null or {message, where,
-//   remedy} edited    name, text: it was sent, and acts from the next frame on; an event `edit` tells when it
-//   does refused   name, text, error end       status, state_hash
-// From the page:
-//   pause · resume · step · speed (value) · check (name, text) · edit (name, text)
+// What messages between a run that is watched and the pages that watch it have in common. Each is a JSON
+// object, a WebSocket text; web/README.md lists them.
 #pragma once
 
 #include <array>

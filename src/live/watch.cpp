@@ -18,6 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr size_t kHistory_bytes = 64 << 20;
 constexpr double kSlowest = 1.0 / 64, kFastest = 1024;  // simulated seconds a second
 
 Json editable(const controle::Scene& scene) {
@@ -43,6 +44,7 @@ std::thread without_signals(std::function<void()> work) {
 Watch::Watch(Watched watched)
     : watched_(std::move(watched)),
       feed_(watched_.directory, watched_.scene.bodies.size()),
+      history_(kHistory_bytes),
       server_(watched_.port, std::move(watched_.page),
               {[this] { return greet(); }, [this](const std::string& message) { take(message); },
                [this] { look(); }}) {
@@ -52,7 +54,7 @@ Watch::Watch(Watched watched)
   pace_.reset(ends[1]);
   command("speed 1");
   command("pause");
-  thread_ = without_signals([this] { server_.run(); });
+  thread_ = without_signals([this] { serve(); });
 }
 
 Watch::~Watch() {
@@ -61,10 +63,21 @@ Watch::~Watch() {
   thread_.join();
 }
 
+void Watch::serve() {
+  try {
+    server_.run();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "animado: the run goes on without its page: {}\n", error.what());
+    pace_.reset();
+    server_.stop();
+    server_.run();
+  }
+}
+
 void Watch::end(const std::string& status, const std::string& state_hash) {
   server_.post([this, status, state_hash] {
     look();
-    remember_and_send(text_of({{"type", "end"}, {"status", status}, {"state_hash", state_hash}}), false);
+    remember_and_send({{"type", "end"}, {"status", status}, {"state_hash", state_hash}}, false);
   });
   server_.stop();
   thread_.join();
@@ -84,7 +97,7 @@ std::vector<std::string> Watch::greet() {
                                                 {"frames", scene.time.frames()},
                                                 {"names", editable(scene)},
                                                 {"modules", kModules}})};
-  messages.insert(messages.end(), history_.begin(), history_.end());
+  messages.insert(messages.end(), history_.messages().begin(), history_.messages().end());
   if (!was_seen_) {
     was_seen_ = true;
     paused_ = false;
@@ -95,14 +108,13 @@ std::vector<std::string> Watch::greet() {
 }
 
 void Watch::look() {
-  for (const std::string& message : feed_.take()) {
-    const Json read = Json::parse(message);
-    if (read.at("type") == "log") {
-      server_.send(message, true);
+  for (const Json& message : feed_.take()) {
+    if (message.at("type") == "log") {
+      server_.send(text_of(message), true);
       continue;
     }
     remember_and_send(message, true);
-    if (read.value("kind", "") == "edit") tell_edit(read);
+    if (message.value("kind", "") == "edit") tell_edit(message);
   }
 }
 
@@ -157,9 +169,10 @@ void Watch::check(const Json& message, bool and_edit) {
   server_.send(text_of(answer));
 }
 
-void Watch::remember_and_send(const std::string& message, bool may_be_left_out) {
-  history_.push_back(message);
-  server_.send(message, may_be_left_out);
+void Watch::remember_and_send(const Json& message, bool may_be_left_out) {
+  std::string text = text_of(message);
+  server_.send(text, may_be_left_out);
+  history_.add(std::move(text));
 }
 
 void Watch::command(const std::string& line) {

@@ -10,6 +10,7 @@
 
 #include "controle/scene/scene.hpp"
 #include "live/feed.hpp"
+#include "live/history.hpp"
 #include "live/web_server.hpp"
 #include "rpc/unique_fd.hpp"
 
@@ -26,32 +27,34 @@ struct Watched {
 
 class Watch {
  public:
-  // Serves from now on, in a thread of its own. The run waits, paused, until a page is there.
+  // Serves from now on, in a thread of its own. The run waits, paused, until a page is there. When the
+  // serving fails, that is told on stderr, and the run goes on unwatched.
   explicit Watch(Watched watched);
   ~Watch();
 
   std::string address() const { return server_.address(); }
   int pace_fd() const { return childs_pace_.get(); }  // where the run reads how fast to go
 
-  // Tells the pages the rest and how it ended, and closes.
+  // Tells the pages the rest and how it ended, and closes. The files must be as the run left them.
   void end(const std::string& status, const std::string& state_hash);
 
  private:
   using Json = nlohmann::json;
 
+  void serve();
   std::vector<std::string> greet();
   void look();
   void take(const std::string& message);
   void tell_edit(const Json& event);
   void pace(const Json& message);
   void check(const Json& message, bool and_edit);
-  void remember_and_send(const std::string& message, bool may_be_left_out);
+  void remember_and_send(const Json& message, bool may_be_left_out);
   void command(const std::string& line);
 
   Watched watched_;
   Feed feed_;
   rpc::UniqueFd pace_, childs_pace_;
-  std::vector<std::string> history_;  // for pages that come later: all but the logs
+  History history_;  // all but the logs
   bool was_seen_ = false, paused_ = true;
   double speed_ = 1;
   WebServer server_;

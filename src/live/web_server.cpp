@@ -235,7 +235,10 @@ void WebServer::Listener::stop() {
 }
 
 WebServer::WebServer(uint16_t port, std::string page, Callbacks callbacks)
-    : listener_(std::make_unique<Listener>(port, std::move(page), std::move(callbacks))) {}
+    : listener_(std::make_unique<Listener>(port, std::move(page), std::move(callbacks))) {
+  listener_->accept();
+  listener_->tick();
+}
 
 WebServer::~WebServer() = default;
 
@@ -244,8 +247,6 @@ std::string WebServer::address() const {
 }
 
 void WebServer::run() {
-  listener_->accept();
-  listener_->tick();
   listener_->context.run();
 }
 

@@ -25,7 +25,8 @@ class WebServer {
 
   std::string address() const;  // http://127.0.0.1:PORT/?token=…
 
-  // Serves until stop(), which any thread may call; what was sent before it is still delivered.
+  // Serves until stop(), which any thread may call; what was sent before it is still delivered. Throws what
+  // a callback throws; run() again goes on, without ticks when it was theirs.
   void run();
   void stop();
   void post(std::function<void()> work);  // is done by the thread that runs; any thread may ask

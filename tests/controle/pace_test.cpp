@@ -20,7 +20,12 @@ class PaceTest : public testing::Test {
     EXPECT_EQ(pipe2(ends, O_CLOEXEC | O_NONBLOCK), 0);
     read_.reset(ends[0]);
     write_.reset(ends[1]);
-    pace_.emplace(read_.get(), [this] { return stop_.load(); });
+    pace_.emplace(read_.get(), [this] {
+      const bool stop = stop_;
+      asked_ = true;
+      asked_.notify_all();
+      return stop;
+    });
   }
   void say(const std::string& command) {
     EXPECT_EQ(write(write_.get(), (command + '\n').data(), command.size() + 1),
@@ -28,7 +33,7 @@ class PaceTest : public testing::Test {
   }
 
   rpc::UniqueFd read_, write_;
-  std::atomic<bool> stop_ = false;
+  std::atomic<bool> stop_ = false, asked_ = false;
   std::optional<Pace> pace_;
 };
 
@@ -73,6 +78,14 @@ TEST_F(PaceTest, ARunThatIsToStopDoesNotWait) {
   say("pause");
   stop_ = true;
   pace_->wait(0);
+}
+
+TEST_F(PaceTest, AStopThatComesJustBeforeAWaitIsNoticed) {
+  say("pause");
+  std::thread run([&] { pace_->wait(0); });
+  asked_.wait(false);
+  stop_ = true;
+  run.join();
 }
 
 }  // namespace

@@ -21,11 +21,7 @@ class FeedTest : public testing::Test {
   void append(const std::string& file, const std::string& text) {
     std::ofstream(directory_.path() / file, std::ios::app) << text;
   }
-  std::vector<Json> take() {
-    std::vector<Json> messages;
-    for (const std::string& message : feed_.take()) messages.push_back(Json::parse(message));
-    return messages;
-  }
+  Feed::Messages take() { return feed_.take(); }
   static std::vector<double> state(double x_m) {
     std::vector<double> numbers(2 * kStateRows);
     for (size_t i = 0; i < 2; ++i) {

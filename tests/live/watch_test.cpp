@@ -225,6 +225,19 @@ TEST_F(WatchTest, TellsTheRestAndTheEndAndCloses) {
   EXPECT_THROW(page.next("anything"), boost::system::system_error);
 }
 
+TEST_F(WatchTest, ARunWhosePageFailsGoesOnWithoutIt) {
+  Page page(address_);
+  page.next("pace");
+  std::ofstream(directory_.path() / "events.jsonl") << "no JSON\n";
+  EXPECT_THROW(page.next("anything"), boost::system::system_error);
+  while (command() != "resume") {
+  }
+  pollfd closed{watch_->pace_fd(), POLLIN, 0};
+  ASSERT_EQ(poll(&closed, 1, 10'000), 1);
+  EXPECT_FALSE(reader().read_lines([](const std::string&) {}));
+  watch_->end("done", "0123");
+}
+
 TEST_F(WatchTest, APortThatIsTakenIsToldWithARemedy) {
   try {
     WebServer(static_cast<uint16_t>(std::stoi(address_.port)), "", {});

@@ -52,7 +52,7 @@ export class EditForm {
     const typed = this.#typed();
     if (type === "checked" && (name !== typed.name || text !== typed.text)) return;  // of what is not there any more
     if (!error) return this.#say("", true);
-    this.#say([error.message, error.caret, error.where, error.remedy].filter(Boolean).join("\n"), false);
+    this.#say([error.message, error.where, error.remedy].filter(Boolean).join("\n"), false);
   }
 
   #say(text, good) {

@@ -101,8 +101,8 @@ test("an expression is checked as it is typed, and applied", async () => {
   await page.locator("#live-text").fill("2*");
   const check = await server.next("check");
   assert.deepEqual(check, { type: "check", name: "wind", text: "2*" });
-  server.say({ ...check, type: "checked", error: { message: "something is missing", where: "column 3",
-                                                   remedy: "write a number after *", caret: "2*\n  ^" } });
+  server.say({ ...check, type: "checked", error: { message: "something is missing\n  2*\n    ^", where: "column 3",
+                                                   remedy: "write a number after *" } });
   await text(page, "live-answer", /something is missing[^]*\^[^]*column 3[^]*write a number/);
   assert.ok(await page.locator("#live-apply").isDisabled());
   await page.locator("#live-text").fill("2*t");
