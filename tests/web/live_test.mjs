@@ -1,5 +1,5 @@
-// A run that is watched in a browser, paused, edited and left to end; and then made again from its results, to the same
-// bits. The page is the program's own, served by `animado run --live`.
+// A run that is watched in a browser, paused, edited, robbed of a service and left to end; and then made again from its
+// results, to the same bits. The page is the program's own, served by `animado run --live`.
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
@@ -33,10 +33,16 @@ function watchedRun(folder) {
     run.stderr.on("data", (text) => {
       said += text;
       const address = /http:\/\/127\.0\.0\.1:\d+\/\?token=[0-9a-f]{32}/.exec(said);
-      if (address) resolve({ address: address[0], ended, said: () => said });
+      if (address) resolve({ address: address[0], pid: run.pid, ended, said: () => said });
     });
     ended.then(() => reject(new Error(`the run ended early: ${said}`)));
   });
+}
+
+function killService(parent, name) {
+  const children = readFileSync(`/proc/${parent}/task/${parent}/children`, "utf8").trim().split(" ");
+  const child = children.find((pid) => readFileSync(`/proc/${pid}/comm`, "utf8").trim() === name);
+  process.kill(Number(child), "SIGKILL");
 }
 
 const time = (page) => page.evaluate(() => window.animado.time_s());
@@ -80,6 +86,7 @@ await withBrowser(async (browser) => {
     await says("live-answer", /From .* on/);
     await picture(page, "live-edited", { fullPage: true });
     await page.locator("#live-status").click();  // out of the form: keys steer the run again
+    killService(run.pid, "egesp");
     for (let faster = 0; faster < 12; ++faster) await page.keyboard.press("]");
 
     assert.equal(await run.ended, 0, run.said());
@@ -91,7 +98,9 @@ await withBrowser(async (browser) => {
 
     // The edit was written down, changed the motion, and is made again.
     const events = linesOf(join(folder, "watched/events.jsonl")).map((line) => JSON.parse(line));
-    assert.deepEqual(events.filter(({ kind }) => kind === "edit").map(({ name, value }) => [name, value]),
+    const ofKind = (kind) => events.filter((event) => event.kind === kind);
+    assert.equal(ofKind("restart").length, 1);
+    assert.deepEqual(ofKind("edit").map(({ name, value }) => [name, value]),
       [["ball.force", "(0, 3*sin(t), 1)"]]);
     const hash = (results) => JSON.parse(readFileSync(join(folder, results, "summary.json"))).state_hash;
     const animado = (...words) => assert.equal(spawnSync(ANIMADO, words, { cwd: folder }).status, 0);
