@@ -67,6 +67,10 @@ await withBrowser(async (browser) => {
     const later = await picture(canvas, "live-later");
     assert.ok(difference(await pixels(browser, before), await pixels(browser, later)) > 0.001, "nothing moved");
 
+    // What the supervisor writes of this comes before the edit in a file that is read as it grows.
+    killService(run.pid, "egesp");
+    await until(page, await time(page) + 0.1);
+
     // Pause, and a single step.
     const says = (id, pattern) => page.waitForFunction(([id, source]) =>
       new RegExp(source).test(document.getElementById(id).textContent), [id, pattern.source]);
@@ -86,7 +90,6 @@ await withBrowser(async (browser) => {
     await says("live-answer", /From .* on/);
     await picture(page, "live-edited", { fullPage: true });
     await page.locator("#live-status").click();  // out of the form: keys steer the run again
-    killService(run.pid, "egesp");
     for (let faster = 0; faster < 12; ++faster) await page.keyboard.press("]");
 
     assert.equal(await run.ended, 0, run.said());
