@@ -32,12 +32,13 @@ ANIMADO_INLINE void put(double* p, size_t element, Lane lane) {
 template <int kTerms>
 struct Terms {
   const double* k[kTerms];
-  double coefficients[kTerms];
+  Lane coefficients[kTerms];
 
   ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum) {
+#pragma GCC unroll 16
     for (int j = 0; j < kTerms; ++j) {
       k[j] = derivatives[sum.rows[j]];
-      coefficients[j] = sum.coefficients[j];
+      coefficients[j] = sum.coefficients[j] - Lane{};  // in each place of the lane
     }
   }
 
