@@ -3,10 +3,11 @@
 // drawing would be the usual way, but a processor that draws by itself pays for each instance as for a draw call.
 
 import {
-  Box3, BufferAttribute, BufferGeometry, Color, DataTexture, FloatType, Mesh, MeshDepthMaterial, MeshLambertMaterial,
-  RGBAFormat, Vector3,
+  Box3, BufferAttribute, BufferGeometry, Color, DataTexture, FloatType, Mesh, MeshBasicMaterial, MeshDepthMaterial,
+  MeshLambertMaterial, RGBAFormat, Vector3,
 } from "three";
 import { rotationMatrix, worldBounds } from "./bounds.js";
+import { SKY, SUN } from "./light.js";
 import { isCurved, triangles } from "./shapes.js";
 
 const ROW = 64;  // bodies in a row of the texture, two texels each: the place, the quaternion
@@ -14,12 +15,16 @@ const ROW = 64;  // bodies in a row of the texture, two texels each: the place, 
 export class Bodies extends Mesh {
   #bodies;
   #poses;
+  #full;
+  #hurried;
 
   /** @param {object[]} bodies as in bodies.json; planes are the stage's  @param graphics how finely to draw */
   constructor(bodies, graphics) {
     const rows = Math.ceil(bodies.length / ROW);
     const poses = new DataTexture(new Float32Array(8 * ROW * rows), 2 * ROW, rows, RGBAFormat, FloatType);
     super(merged(bodies, graphics), posed(marked(new MeshLambertMaterial({ vertexColors: true })), poses));
+    this.#full = this.material;
+    this.#hurried = posed(lit(new MeshBasicMaterial({ vertexColors: true, fog: false })), poses);
     this.customDepthMaterial = posed(new MeshDepthMaterial(), poses);
     this.castShadow = true;
     this.receiveShadow = graphics.soft;
@@ -36,6 +41,11 @@ export class Bodies extends Mesh {
       for (let i = 0; i < 4; ++i) texels[8 * body + 4 + i] = poses[7 * body + 3 + i];
     }
     this.#poses.needsUpdate = true;
+  }
+
+  /** Whether they are drawn for speed. */
+  hurry(hurried) {
+    this.material = hurried ? this.#hurried : this.#full;
   }
 
   /** The body whose box a ray meets first, or null. */
@@ -116,6 +126,29 @@ function posed(material, poses) {
   };
   return material;
 }
+
+// Lit and marked at the corners, which leaves a colour for a pixel to know: a processor that draws by itself works out
+// everything that a pixel is to know for each triangle, however small.
+function lit(material) {
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, {
+      towardsSun: { value: SUN.towards },
+      sun: { value: reflected(SUN.color, SUN) },
+      above: { value: reflected(SKY.above, SKY) },
+      below: { value: reflected(SKY.below, SKY) },
+    });
+    shader.vertexShader = shader.vertexShader
+      .replace("#include <common>", "#include <common>\nuniform vec3 towardsSun, sun, above, below;")
+      .replace("#include <color_vertex>", `#include <color_vertex>
+        vec3 upright = turned(normal, turn);
+        vColor.rgb *= max(dot(upright, towardsSun), 0.0) * sun + mix(below, above, 0.5 * upright.y + 0.5);
+        vColor.rgb *= 1.0 - 0.13 * owner.y * (1.0 - sign(position.x * position.y * position.z));`);
+  };
+  return material;
+}
+
+// Of light that comes straight down on white paper.
+const reflected = (color, { intensity }) => color.clone().multiplyScalar(intensity / Math.PI);
 
 // A ball of one colour does not show that it turns: every other octant of a curved body is a shade darker, as on the
 // marks of crash tests.

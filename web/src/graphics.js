@@ -6,11 +6,11 @@ const MANY = 300;  // bodies; they are small on the screen, and few triangles ea
 
 /**
  * @param {number} bodies
- * @returns {{antialias: boolean, sharpest: number, moving: number, soft: boolean, shadow_px: number,
- *   shadow_moves: boolean, around: number, along: number, impulses: number, sparing: boolean}} sharpest: screen pixels
- *   a CSS pixel; moving: the same while it plays; soft: shadows have soft edges, and fall on bodies too; shadow_moves:
- *   else there are none while it plays; around, along: facets of curved shapes; impulses: how many are shown at once;
- *   sparing: what stands beside the picture moves less often
+ * @returns {{antialias: boolean, sharpest: number, moving: number, soft: boolean, shadow_px: number, hurries: boolean,
+ *   around: number, along: number, impulses: number, sparing: boolean}} sharpest: screen pixels a CSS pixel; moving: the
+ *   same while it plays, and less where that is slow; soft: shadows have soft edges, and fall on bodies too; hurries:
+ *   while it plays there are no shadows, and only corners are lit; around, along: facets of curved shapes; impulses: how
+ *   many are shown at once; sparing: what stands beside the picture moves less often
  */
 export function graphics(bodies) {
   const many = bodies > MANY;
@@ -18,11 +18,11 @@ export function graphics(bodies) {
   return many ? { ...FINE, around: 20, along: 12 } : FINE;
 }
 
-const FINE = { antialias: true, sharpest: 1.5, moving: 1.5, soft: true, shadow_px: 2048, shadow_moves: true,
+const FINE = { antialias: true, sharpest: 1.5, moving: 1.5, soft: true, shadow_px: 2048, hurries: false,
                around: 48, along: 32, impulses: 64, sparing: false };
-const PLAIN = { antialias: false, sharpest: 1, moving: 1, soft: true, shadow_px: 512, shadow_moves: true,
+const PLAIN = { antialias: false, sharpest: 1, moving: 1, soft: true, shadow_px: 512, hurries: false,
                 around: 32, along: 20, impulses: 64, sparing: false };
-const COARSE = { antialias: false, sharpest: 1, moving: 0.5, soft: false, shadow_px: 512, shadow_moves: false,
+const COARSE = { antialias: false, sharpest: 1, moving: 0.5, soft: false, shadow_px: 512, hurries: true,
                  around: 6, along: 4, impulses: 12, sparing: true };
 
 function isSoftware() {

@@ -10,6 +10,7 @@ import { graphics } from "./graphics.js";
 import { Impulses } from "./impulses.js";
 import { pose } from "./interpolate.js";
 import { bracket } from "./moments.js";
+import { Sharpness } from "./sharpness.js";
 import { Stage } from "./stage.js";
 import { colorOf } from "./theme.js";
 import { Trails } from "./trails.js";
@@ -24,6 +25,7 @@ export class Player {
   drawn = 0;  // pictures so far
   #renderer;
   #scene = new Scene();
+  #sharpness;
   #run;
   #clock;
   #choice;
@@ -40,6 +42,7 @@ export class Player {
    */
   constructor(canvas, run, clock, choice) {
     this.graphics = graphics(run.bodies.length);
+    this.#sharpness = new Sharpness(this.graphics.moving);
     this.#renderer = new WebGLRenderer({ canvas, antialias: this.graphics.antialias });
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.type = this.graphics.soft ? PCFShadowMap : BasicShadowMap;
@@ -129,6 +132,7 @@ export class Player {
     this.#waiting = 0;
     if (this.#clock.playing) {
       const elapsed_s = this.#before_ms ? (now_ms - this.#before_ms) / 1000 : 0;
+      if (elapsed_s > 0) this.#sharpness.tell(1000 * elapsed_s);
       this.#before_ms = now_ms;
       this.#clock.advance(Math.min(SLOWEST_S, elapsed_s));
       this.changed();
@@ -141,10 +145,11 @@ export class Player {
   #draw() {
     if (!this.#run.motion.frames) return;
     if (this.#moved) this.#place();
-    this.#sharpen(this.#clock.playing ? this.graphics.moving : this.graphics.sharpest);
-    const shadows = !this.#clock.playing || this.graphics.shadow_moves;
-    this.stage.showShadows(shadows);
-    this.#renderer.shadowMap.needsUpdate = this.#moved && shadows;
+    this.#sharpen(this.#clock.playing ? this.#sharpness.ratio : this.graphics.sharpest);
+    const hurried = this.#clock.playing && this.graphics.hurries;
+    this.stage.showShadows(!hurried);
+    this.bodies.hurry(hurried);
+    this.#renderer.shadowMap.needsUpdate = this.#moved && !hurried;
     this.#moved = false;
     this.#renderer.render(this.#scene, this.camera);
     ++this.drawn;

@@ -7,6 +7,7 @@ import {
   Quaternion, ShadowMaterial, Vector3,
 } from "three";
 import { Grid } from "./grid.js";
+import { SKY, SUN } from "./light.js";
 import { colorOf } from "./theme.js";
 
 const UP = new Vector3(0, 1, 0);
@@ -14,8 +15,8 @@ const EXTENT = 24;    // of planes, in radii of the motion
 const SHADOWED = 3.2;  // of the part of the floor that shadows reach
 
 export class Stage extends Group {
-  #sun = new DirectionalLight(0xffffff, 2.2);
-  #sky = new HemisphereLight(0xffffff, 0x777770, 1.5);
+  #sun = new DirectionalLight(SUN.color, SUN.intensity);
+  #sky = new HemisphereLight(SKY.above, SKY.below, SKY.intensity);
   #floor = new Group();
   #planes = [];
   #shadow;  // on the floor
@@ -44,7 +45,7 @@ export class Stage extends Group {
   }
 
   #aim(center, radius_m) {
-    this.#sun.position.copy(center).addScaledVector(new Vector3(0.45, 1, 0.35).normalize(), 3 * radius_m);
+    this.#sun.position.copy(center).addScaledVector(SUN.towards, 3 * radius_m);
     this.#sun.target.position.copy(center);
     const { camera } = this.#sun.shadow;
     camera.left = camera.bottom = -1.4 * radius_m;
