@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 namespace {

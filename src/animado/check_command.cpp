@@ -3,7 +3,7 @@
 
 #include "animado/commands.hpp"
 #include "animado/scene_check.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 

@@ -1,13 +1,13 @@
 #include "animado/commands.hpp"
 
-#include "rpc/program_manual.hpp"
+#include "console/program_manual.hpp"
 
 namespace animado {
 
 CLI::App& add_command(CommandLine& line, const std::string& name, const std::string& description,
                       const std::string& examples) {
   CLI::App& command = *line.app.add_subcommand(name, description);
-  command.formatter(std::make_shared<rpc::ExamplesFirst>(examples));
+  command.formatter(std::make_shared<ExamplesFirst>(examples));
   return command;
 }
 

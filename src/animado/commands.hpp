@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "animado/completion_values.hpp"
 #include "animado/exit_code.hpp"
@@ -12,6 +13,7 @@ namespace animado {
 
 struct CommandLine {
   CLI::App app;
+  std::vector<std::string> words;  // as they were given
   ExitCode exit_code = kDone;
 };
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace animado {
+#include "console/option_types.hpp"
 
-inline constexpr auto kSceneType = "SCENE", kFolderType = "DIR", kFileType = "FILE";
+namespace animado {
 
 enum class ValueKind { none, scenes, folders, files, words };
 

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "animado/terminal.hpp"
 #include "base/error.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 

@@ -6,7 +6,7 @@
 
 #include "animado/commands.hpp"
 #include "animado/log_colours.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 

@@ -1,7 +1,7 @@
 // animado: the command line of the suite.
 #include "animado/commands.hpp"
-#include "animado/terminal.hpp"
-#include "rpc/program_manual.hpp"
+#include "console/program_manual.hpp"
+#include "console/terminal.hpp"
 
 namespace {
 
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   CommandLine line;
   line.app.description("ANIMADO: rigid bodies in motion, simulated by five programs.");
   line.app.name("animado");
-  line.app.formatter(std::make_shared<rpc::ExamplesFirst>(kExamples));
+  line.app.formatter(std::make_shared<ExamplesFirst>(kExamples));
   line.app.require_subcommand(1);
   line.app.set_version_flag("--version", ANIMADO_VERSION);
   for (const auto add :
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
         add_man_command}) {
     add(line);
   }
+  line.words.assign(argv + 1, argv + argc);
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,8 +1,8 @@
 // animado man: the manual pages, for man(1).
 #include "animado/commands.hpp"
 #include "base/error.hpp"
+#include "console/program_manual.hpp"
 #include "controle/results/output_file.hpp"
-#include "rpc/program_manual.hpp"
 
 namespace animado {
 
@@ -26,18 +26,17 @@ const CLI::App& command_named(const CLI::App& program, const std::string& name) 
 
 void write_all(const CLI::App& program, const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
-  controle::write_whole(directory / "animado.1", rpc::man_page(program, "animado"));
+  controle::write_whole(directory / "animado.1", man_page(program, "animado"));
   for (const CLI::App* command : program.get_subcommands({})) {
-    controle::write_whole(directory / (page_name(*command) + ".1"),
-                          rpc::man_page(*command, page_name(*command)));
+    controle::write_whole(directory / (page_name(*command) + ".1"), man_page(*command, page_name(*command)));
   }
 }
 
 void print(const CLI::App& program, const Options& options) {
   if (!options.directory.empty()) return write_all(program, options.directory);
-  if (options.command.empty()) return fmt::print("{}", rpc::man_page(program, "animado"));
+  if (options.command.empty()) return fmt::print("{}", man_page(program, "animado"));
   const CLI::App& command = command_named(program, options.command);
-  fmt::print("{}", rpc::man_page(command, page_name(command)));
+  fmt::print("{}", man_page(command, page_name(command)));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "animado/programs.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 

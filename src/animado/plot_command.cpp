@@ -5,7 +5,7 @@
 #include "animado/commands.hpp"
 #include "animado/plot_picture.hpp"
 #include "animado/run_curves.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 #include "controle/results/output_file.hpp"
 
 namespace animado {

@@ -1,22 +1,27 @@
-// animado render: becomes visao, which knows the options and says them under this command's name.
+// animado render: becomes visao, once the command line makes sense.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "animado/commands.hpp"
 #include "animado/programs.hpp"
 #include "base/error.hpp"
+#include "visao/command_line.hpp"
 
 namespace animado {
 
 namespace {
 
-[[noreturn]] void become_visao(std::vector<std::string> options) {
-  const std::string visao = program("visao");
-  std::string name = "animado render";
-  std::vector<char*> raw = {name.data()};
-  for (std::string& option : options) raw.push_back(option.data());
+constexpr auto kName = "render";
+
+// words: of animado's command line.
+[[noreturn]] void become_visao(std::vector<std::string> words) {
+  std::string visao = program("visao");
+  std::vector<char*> raw = {visao.data()};
+  for (auto word = std::ranges::find(words, kName) + 1; word != words.end(); ++word)
+    raw.push_back(word->data());
   raw.push_back(nullptr);
   execv(visao.c_str(), raw.data());
   throw Error(Code::unavailable, "cannot start " + visao + ": " + std::strerror(errno), "",
@@ -26,10 +31,11 @@ namespace {
 }  // namespace
 
 void add_render_command(CommandLine& line) {
-  CLI::App& command = *line.app.add_subcommand("render", "Pictures and films of a run");
-  command.prefix_command();
-  command.set_help_flag();
-  command.callback([&command] { become_visao(command.remaining()); });
+  const auto options = std::make_shared<visao::Options>();
+  CLI::App& command =
+      add_command(line, kName, "Pictures and films of a run", visao::examples("animado render"));
+  visao::add_options(command, *options);
+  command.callback([&line, options] { become_visao(line.words); });
 }
 
 }  // namespace animado

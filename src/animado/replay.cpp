@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "animado/terminal.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 

@@ -1,6 +1,6 @@
 // animado report: the page of a run again, from its results.
 #include "animado/commands.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 #include "report/page.hpp"
 
 namespace animado {

@@ -4,8 +4,8 @@
 #include "animado/commands.hpp"
 #include "animado/names_file.hpp"
 #include "animado/running_suite.hpp"
-#include "animado/terminal.hpp"
 #include "base/error.hpp"
+#include "console/terminal.hpp"
 #include "interexpserv/client.hpp"
 
 namespace animado {

@@ -7,13 +7,14 @@
 #include "animado/commands.hpp"
 #include "animado/end_report.hpp"
 #include "animado/pictures.hpp"
-#include "animado/progress_display.hpp"
+#include "animado/progress_text.hpp"
 #include "animado/replay.hpp"
 #include "animado/run_report.hpp"
 #include "animado/run_ways.hpp"
 #include "animado/scene_check.hpp"
-#include "animado/terminal.hpp"
 #include "animado/watch_run.hpp"
+#include "console/progress_line.hpp"
+#include "console/terminal.hpp"
 #include "controle/results/results_directory.hpp"
 
 namespace animado {
@@ -41,11 +42,6 @@ struct Options {
   std::optional<Replay> replay;
 };
 
-ProgressDisplay::Style style(const Options& options) {
-  if (options.quiet) return ProgressDisplay::Style::silent;
-  return is_terminal(STDERR_FILENO) ? ProgressDisplay::Style::terminal : ProgressDisplay::Style::lines;
-}
-
 // A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
 void finish(const Options& options, controle::ResultsDirectory& results, ExitCode code) {
   if (code != kLost && fs::exists(results.path() / "summary.json")) {
@@ -65,7 +61,8 @@ void finish(const Options& options, controle::ResultsDirectory& results, ExitCod
 }
 
 ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
-  ProgressDisplay display(style(options), stderr, std::chrono::steady_clock::now());
+  using Clock = std::chrono::steady_clock;
+  ProgressLine progress(progress_style(options.quiet), stderr, Clock::now());
   RunRequest request{.scene = options.scene,
                      .directory = results.path(),
                      .name = options.name,
@@ -73,11 +70,11 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
                      .physics_extensions = options.extensions};
   if (options.replay) request.replay = options.replay->events;
   request.on_progress = [&](const controle::Progress& p) {
-    display.show(p, std::chrono::steady_clock::now());
+    progress.show(part_of(p), Clock::now(), [&](double elapsed_s) { return progress_text(p, elapsed_s); });
   };
   if (options.in_process) {
     const ExitCode code = run_in_process(request);
-    display.clear();
+    progress.clear();
     finish(options, results, code);
     return code;
   }
@@ -88,7 +85,7 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
     request.on_ended = [&] { end_watch(*watch, results.path()); };
   }
   return run_with_services(request, [&](ExitCode code) {
-    display.clear();
+    progress.clear();
     finish(options, results, code);
     return fs::exists(results.logs()) ? results.logs() : results.final_path() / "logs";
   });

@@ -4,7 +4,7 @@
 
 #include "animado/in_process.hpp"
 #include "animado/run_ways.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 #include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
 

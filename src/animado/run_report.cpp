@@ -1,7 +1,7 @@
 #include "animado/run_report.hpp"
 
-#include "animado/terminal.hpp"
 #include "base/error.hpp"
+#include "console/terminal.hpp"
 #include "report/page.hpp"
 #include "report/template.hpp"
 

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 
 namespace animado {
 

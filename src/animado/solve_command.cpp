@@ -5,7 +5,7 @@
 #include "animado/commands.hpp"
 #include "animado/matrix_market.hpp"
 #include "animado/suite_or_own.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 #include "controle/results/output_file.hpp"
 #include "egesp/client.hpp"
 #include "rpc/shared_array.hpp"

@@ -5,9 +5,9 @@
 
 #include "animado/commands.hpp"
 #include "animado/running_suite.hpp"
-#include "animado/terminal.hpp"
 #include "animado/value_text.hpp"
 #include "base/error.hpp"
+#include "console/terminal.hpp"
 #include "interexpserv/client.hpp"
 
 namespace animado {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "animado/running_suite.hpp"
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 #include "controle/scene/scene.hpp"
 #include "interexpserv/client.hpp"
 #include "report/page.hpp"

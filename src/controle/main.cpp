@@ -6,10 +6,10 @@
 #include <csignal>
 
 #include "base/error.hpp"
+#include "console/program_manual.hpp"
 #include "controle/pace.hpp"
 #include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
-#include "rpc/program_manual.hpp"
 #include "rpc/socket_suite.hpp"
 
 namespace {
@@ -31,9 +31,9 @@ int main(int argc, char** argv) {
       "Reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado run` starts "
       "the five together.",
       "controle");
-  rpc::add_manual(app, "controle",
-                  "  controle --scene scenes/colisao.animado --out tonight\n"
-                  "  controle --scene a.animado --out a --socket-dir $XDG_RUNTIME_DIR/animado/colisao\n");
+  add_manual(app, "controle",
+             "  controle --scene scenes/colisao.animado --out tonight\n"
+             "  controle --scene a.animado --out a --socket-dir $XDG_RUNTIME_DIR/animado/colisao\n");
   controle::RunOptions options;
   rpc::SocketSuite::Options suite_options;
   int progress_fd = -1, pace_fd = -1;

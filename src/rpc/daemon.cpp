@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "console/program_manual.hpp"
 #include "rpc/dispatcher.hpp"
 #include "rpc/endpoint.hpp"
-#include "rpc/program_manual.hpp"
 #include "rpc/registration.hpp"
 #include "rpc/server.hpp"
 #include "rpc/socket_suite.hpp"

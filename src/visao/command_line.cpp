@@ -1,8 +1,8 @@
 #include "visao/command_line.hpp"
 
-namespace animado::visao {
+#include "console/option_types.hpp"
 
-namespace {
+namespace animado::visao {
 
 std::string examples(const std::string& program) {
   return fmt::format(
@@ -16,41 +16,24 @@ std::string examples(const std::string& program) {
       program);
 }
 
-class ExamplesFirst : public CLI::Formatter {
- public:
-  explicit ExamplesFirst(std::string examples) : examples_(std::move(examples)) {}
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    return examples_ + "\n" + CLI::Formatter::make_help(app, name, mode);
-  }
-
- private:
-  std::string examples_;
-};
-
-}  // namespace
-
-std::unique_ptr<CLI::App> command_line(const std::string& program, Options& options) {
-  auto app = std::make_unique<CLI::App>("", program);
-  app->formatter(std::make_shared<ExamplesFirst>(examples(program)));
-  app->set_version_flag("--version", ANIMADO_VERSION);
-  app->add_option("directory", options.directory, "The results of a run")->required();
-  app->add_option(
-      "--camera", options.camera,
-      "From where: three-quarter (default), front, side, top, or a point \"(x, y, z)\" in metres");
-  app->add_option("--look-at", options.look_at,
-                  "The point \"(x, y, z)\" in the middle of the picture (default: the middle of the motion)");
-  app->add_option("--size", options.size,
-                  "WxH of the page or of the film, px; W alone: as high as it comes (default: 1280; a film: "
-                  "1280x720)");
-  app->add_option(
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("directory", options.directory, "The results of a run")->required()->type_name(kFolderType);
+  app.add_option("--camera", options.camera,
+                 "From where: three-quarter (default), front, side, top, or a point \"(x, y, z)\" in metres");
+  app.add_option("--look-at", options.look_at,
+                 "The point \"(x, y, z)\" in the middle of the picture (default: the middle of the motion)");
+  app.add_option("--size", options.size,
+                 "WxH of the page or of the film, px; W alone: as high as it comes (default: 1280; a film: "
+                 "1280x720)");
+  app.add_option(
       "--frames", options.frames,
       "How many, evenly (12), which (3,5,8), or from one to another (10..20); default: 12, fewer of "
       "many bodies");
-  app->add_option("--output", options.output,
-                  "File to write (default: sheet.png, or film.mp4, beside the results)");
-  app->add_flag("--mp4", options.mp4, "A film instead: 30 pictures a second, at real speed; needs ffmpeg");
-  app->add_flag("--quiet", options.quiet, "No progress, and no name on stdout; errors are still told");
-  return app;
+  app.add_option("--output", options.output,
+                 "File to write (default: sheet.png, or film.mp4, beside the results)")
+      ->type_name(kFileType);
+  app.add_flag("--mp4", options.mp4, "A film instead: 30 pictures a second, at real speed; needs ffmpeg");
+  app.add_flag("--quiet", options.quiet, "No progress, and no name on stdout; errors are still told");
 }
 
 }  // namespace animado::visao

@@ -1,15 +1,16 @@
-// The command line of visao, which is that of `animado render` too.
+// The options of visao, which are those of `animado render`.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <string>
 
 #include "visao/options.hpp"
 
 namespace animado::visao {
 
-// program: what it is called by. Parsing fills `options`, which must outlive the parser.
-std::unique_ptr<CLI::App> command_line(const std::string& program, Options& options);
+void add_options(CLI::App& app, Options& options);
+
+// What opens --help. program: as the user calls it.
+std::string examples(const std::string& program);
 
 }  // namespace animado::visao

@@ -1,22 +1,25 @@
-// visao: pictures and films of a run, from its results folder. `animado render` starts it under its own name.
+// visao: pictures and films of a run, from its results folder.
+#include "console/program_manual.hpp"
+#include "console/terminal.hpp"
 #include "visao/command_line.hpp"
-#include "visao/console.hpp"
 
 int main(int argc, char** argv) {
   using namespace animado;
   constexpr int kUsage = 2;
   visao::Options options;
-  const std::string called = argv[0];
-  const auto app = visao::command_line(called == "animado render" ? called : "visao", options);
+  CLI::App app("Pictures and films of a run", "visao");
+  app.set_version_flag("--version", ANIMADO_VERSION);
+  add_manual(app, "visao", visao::examples("visao"));
+  visao::add_options(app, options);
   try {
-    app->parse(argc, argv);
+    app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app->exit(error) == 0 ? 0 : kUsage;
+    return app.exit(error) == 0 ? 0 : kUsage;
   }
   try {
     return visao::render(options);
   } catch (const Error& error) {
-    visao::print_error(error);
+    print_error(error);
     return kUsage;
   }
 }

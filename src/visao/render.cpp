@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "visao/console.hpp"
+#include "console/progress_line.hpp"
 #include "visao/film.hpp"
 #include "visao/moments.hpp"
 #include "visao/options.hpp"
@@ -101,8 +101,14 @@ int make_film(const Options& options, const RecordedRun& run, const fs::path& fi
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop_asked = true; });
   std::signal(SIGPIPE, SIG_IGN);  // an encoder that ended is found by the write that fails
   request.stop = [] { return stop_asked.load(); };
-  Progress progress(options.quiet);
-  request.on_picture = [&](int64_t done, int64_t all) { progress.show(done, all); };
+  using Clock = std::chrono::steady_clock;
+  ProgressLine progress(progress_style(options.quiet), stderr, Clock::now());
+  request.on_picture = [&](int64_t done, int64_t all) {
+    const double part = static_cast<double>(done) / static_cast<double>(all);
+    progress.show(part, Clock::now(), [&](double elapsed_s) {
+      return fmt::format("{} picture {} of {}{}", progress_bar(part), done, all, time_left(part, elapsed_s));
+    });
+  };
   return film(run, request) ? kDone : kInterrupted;
 }
 

@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"egesp/gauss_jordan.cpp", "\"colisao/client.hpp\"", "only server.cpp reaches"},
         Row{"colisao/server.cpp", "\"egesp/gauss_jordan.hpp\"", "reached through egesp/client.hpp"},
         Row{"controle/stepper.cpp", "\"fred/tableau.hpp\"", "controle reaches a service through"},
+        Row{"console/terminal.cpp", "\"rpc/log.hpp\"", "console includes base only"},
         Row{"visao/stage.cpp", "\"controle/stepper.hpp\"", "visao knows results only"},
         Row{"animado/run_command.cpp", "\"visao/sheet.hpp\"", "animado reaches a service through"},
         Row{"animado/run_command.cpp", "\"fred/tableau.hpp\"", "animado reaches a service through"},

@@ -65,8 +65,9 @@ Record simulate_file(const std::string& path, Way way) {
   const TemporaryDirectory bench;
   const fs::path out = bench.path() / "results", log = bench.path() / "messages";
   const std::string command = std::string(ANIMADO_BIN_DIR) + "/animado run '" + path + "' --out '" +
-                              out.string() + "' --quiet --no-pictures" + (way == Way::in_process ? " --in-process" : "") +
-                              " > '" + log.string() + "' 2>&1";
+                              out.string() + "' --quiet --no-pictures" +
+                              (way == Way::in_process ? " --in-process" : "") + " > '" + log.string() +
+                              "' 2>&1";
   const int status = std::system(command.c_str());
   if (status != 0) {
     std::ifstream in(log);

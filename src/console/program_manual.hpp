@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace animado::rpc {
+namespace animado {
 
 class ExamplesFirst : public CLI::Formatter {
  public:
@@ -28,4 +28,4 @@ std::string man_page(const CLI::App& app, const std::string& name);
 // --help of a program with its examples first, and --man, which prints its manual page.
 void add_manual(CLI::App& app, const std::string& name, const std::string& examples);
 
-}  // namespace animado::rpc
+}  // namespace animado

@@ -1,4 +1,4 @@
-#include "animado/terminal.hpp"
+#include "console/terminal.hpp"
 
 #include <sys/ioctl.h>
 #include <unistd.h>

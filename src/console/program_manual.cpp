@@ -1,4 +1,4 @@
-#include "rpc/program_manual.hpp"
+#include "console/program_manual.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <sstream>
 
-namespace animado::rpc {
+namespace animado {
 namespace {
 
 // Text as troff shows it: its own signs, and what it would turn into typographic ones, are written by name.
@@ -130,4 +130,4 @@ void add_manual(CLI::App& app, const std::string& name, const std::string& examp
   app.add_flag_callback("--man", print, "print the manual page, for man -l -");
 }
 
-}  // namespace animado::rpc
+}  // namespace animado

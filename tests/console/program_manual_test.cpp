@@ -1,12 +1,12 @@
-// src/rpc/program_manual.cpp
-#include "rpc/program_manual.hpp"
+// src/console/program_manual.cpp
+#include "console/program_manual.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
 
-namespace animado::rpc {
+namespace animado {
 namespace {
 
 using testing::HasSubstr;
@@ -55,4 +55,4 @@ TEST_F(ProgramManual, TheSynopsisOfACommandNamesItsProgram) {
 }
 
 }  // namespace
-}  // namespace animado::rpc
+}  // namespace animado

@@ -1,0 +1,101 @@
+// src/console/progress_line.cpp
+#include "console/progress_line.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/temporary_directory.hpp"
+
+namespace animado {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Style = ProgressLine::Style;
+
+void show(ProgressLine& line, int percent, ProgressLine::Time now) {
+  line.show(percent / 100.0, now, [&](double) { return "frame " + std::to_string(percent) + " of 100"; });
+}
+
+// What a line writes into a file.
+class Written {
+ public:
+  std::FILE* file() { return file_.get(); }
+  std::string text() {
+    std::fflush(file());
+    return text_of(directory_ / "out");
+  }
+
+ private:
+  TemporaryDirectory directory_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{std::fopen((directory_ / "out").c_str(), "w"),
+                                                        std::fclose};
+};
+
+TEST(ProgressBar, IsAsLongAsTheWorkThatIsDone) {
+  EXPECT_EQ(progress_bar(0), "[                    ]");
+  EXPECT_EQ(progress_bar(0.5), "[==========          ]");
+  EXPECT_EQ(progress_bar(1), "[====================]");
+}
+
+TEST(TimeLeft, IsWhatTheWorkTookSoFarSaysOfTheRest) {
+  EXPECT_EQ(time_left(0.5, 2), ", 2 s left");
+  EXPECT_EQ(time_left(0.25, 600), ", 30 min left");
+  EXPECT_EQ(time_left(0.25, 3600), ", 3.0 h left");
+  EXPECT_EQ(time_left(0, 2), "");
+  EXPECT_EQ(time_left(1, 2), "");
+}
+
+TEST(ProgressLine, WritesOverOneLineOfATerminalAndTakesItOff) {
+  Written written;
+  ProgressLine line(Style::terminal, written.file(), {});
+  show(line, 1, ProgressLine::Time{} + seconds(1));
+  show(line, 2, ProgressLine::Time{} + seconds(1) + milliseconds(50));  // too soon to be read
+  show(line, 3, ProgressLine::Time{} + seconds(2));
+  line.clear();
+  const std::string text = written.text();
+  EXPECT_THAT(text, testing::StartsWith("\rframe 1 of"));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("\n")));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("frame 2 of")));
+  EXPECT_THAT(text, testing::HasSubstr("frame 3 of"));
+  EXPECT_THAT(text, testing::EndsWith("\r\x1b[K"));
+}
+
+TEST(ProgressLine, WritesRareLinesElsewhere) {
+  Written written;
+  ProgressLine line(Style::lines, written.file(), {});
+  for (int frame = 1; frame <= 100; ++frame) {
+    show(line, frame, ProgressLine::Time{} + frame * milliseconds(250));
+  }
+  const std::string text = written.text();
+  EXPECT_EQ(std::ranges::count(text, '\n'), 10);
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("\x1b")));
+}
+
+TEST(ProgressLine, SaysNothingOfAShortRunOutsideATerminal) {
+  Written written;
+  ProgressLine line(Style::lines, written.file(), {});
+  for (int frame = 1; frame <= 100; ++frame) {
+    show(line, frame, ProgressLine::Time{} + frame * milliseconds(9));
+  }
+  EXPECT_EQ(written.text(), "");
+}
+
+TEST(ProgressLine, IsSilentWhenTold) {
+  Written written;
+  ProgressLine line(Style::silent, written.file(), {});
+  show(line, 50, ProgressLine::Time{} + seconds(50));
+  line.clear();
+  EXPECT_EQ(written.text(), "");
+}
+
+TEST(ProgressLine, SaysHowLongTheWorkHasTaken) {
+  Written written;
+  ProgressLine line(Style::lines, written.file(), ProgressLine::Time{} + seconds(5));
+  line.show(0.5, ProgressLine::Time{} + seconds(7),
+            [](double elapsed_s) { return std::to_string(elapsed_s); });
+  EXPECT_EQ(written.text(), std::to_string(2.0) + "\n");
+}
+
+}  // namespace
+}  // namespace animado
