@@ -46,6 +46,7 @@ class Session {
   #driver;
   #status;
   #fresh = false;
+  #frames = 0;  // of the run: a page that comes late, or stays long, holds fewer
   #timer;
 
   constructor(socket, hello, show, status) {
@@ -87,6 +88,7 @@ class Session {
     const { motion } = this.#run;
     const first = !motion.frames;
     motion.push(message);
+    this.#frames = message.frame + 1;
     this.#fresh = true;
     this.#driver.grown(motion.times_s[0], message.time_s);
     if (first) {
@@ -109,7 +111,7 @@ class Session {
   #tell() {
     this.#page.tell();
     byId("live-now").hidden = this.#driver.at_now;
-    if (!this.ended) this.#status(this.#driver.text(this.#run.motion.frames, this.#run.frames));
+    if (!this.ended) this.#status(this.#driver.text(this.#frames, this.#run.frames));
   }
 
   #end({ status, state_hash: hash }) {

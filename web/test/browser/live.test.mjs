@@ -73,6 +73,14 @@ test("frames move the bodies, and plots, events and logs grow", async () => {
   assert.deepEqual(page.errors, []);
 });
 
+test("a page that comes late knows how far the run is", async () => {
+  const { page, server } = await session();
+  for (const k of [7, 8]) server.say(frame(k));
+  await at(page, 0.8);
+  await text(page, "live-status", /frame 9 of 11/);
+  assert.deepEqual(page.errors, []);
+});
+
 test("buttons steer the run; who looks at the past stays there until now is asked for", async () => {
   const { page, server } = await session();
   for (let k = 0; k <= 3; ++k) server.say(frame(k));
