@@ -23,6 +23,7 @@ export class EditForm {
     this.#text.addEventListener("input", () => this.#checkSoon());
     byId("live-edit").addEventListener("submit", (event) => {
       event.preventDefault();
+      clearTimeout(this.#timer);  // it is checked on its way; a check of its own would be answered after it acts
       this.#send({ type: "edit", ...this.#typed() });
     });
     this.#take();

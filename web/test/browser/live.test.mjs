@@ -105,6 +105,7 @@ test("buttons steer the run; who looks at the past stays there until now is aske
 
 test("an expression is checked as it is typed, and applied", async () => {
   const { page, server } = await session();
+  await page.clock.install();
   await page.locator("#live-name").selectOption("wind");
   await page.locator("#live-text").fill("2*");
   const check = await server.next("check");
@@ -119,6 +120,8 @@ test("an expression is checked as it is typed, and applied", async () => {
   assert.deepEqual(await server.next("edit"), { type: "edit", name: "wind", text: "2*t" });
   server.say({ type: "edited", name: "wind", text: "2*t", time_s: 0.4 });
   await text(page, "live-answer", /From 0.4 s on, wind = 2\*t/);
+  await page.clock.runFor(1000);
+  assert.deepEqual(server.heard.filter(({ type, text }) => type === "check" && text === "2*t"), []);
 });
 
 test("a run that ends says its hash, and can be played; a lost one is told", async () => {
