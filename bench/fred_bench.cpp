@@ -177,6 +177,7 @@ template <class Mine, class P>
 void add_all() {
   using State = typename P::State;
   add<Mine>("fred_dop853", [](const Mine& p, double tolerance) { return ours(p, "dop853", tolerance); });
+  add<Mine>("fred_verner87", [](const Mine& p, double tolerance) { return ours(p, "verner87", tolerance); });
   add<Mine>("fred_dopri5", [](const Mine& p, double tolerance) { return ours(p, "dopri5", tolerance); });
   add<P>("odeint_dopri5", by_odeint<odeint::runge_kutta_dopri5<State>, P>);
   add<P>("odeint_fehlberg78", by_odeint<odeint::runge_kutta_fehlberg78<State>, P>);

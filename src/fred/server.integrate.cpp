@@ -50,8 +50,9 @@ Lookup registry_of(rpc::Suite& suite) {
 const Method& chosen_method(const Request& request, bool adaptive) {
   const Method& method = method_named(!request.method.empty() ? request.method : adaptive ? "dopri5" : "rk4");
   if (adaptive && !method.is_adaptive()) {
-    throw Error(Code::bad_params, fmt::format("{} does not know its error", method.name), "method",
-                "use bs23, fehlberg45, cash_karp, dopri5, dop853 or radau5, or leave the tolerance out");
+    throw Error(
+        Code::bad_params, fmt::format("{} does not know its error", method.name), "method",
+        "use bs23, fehlberg45, cash_karp, dopri5, dop853, verner87 or radau5, or leave the tolerance out");
   }
   return method;
 }

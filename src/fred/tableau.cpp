@@ -9,6 +9,7 @@ std::vector<Tableau> all_tableaus() {
   std::vector<Tableau> all = classical_tableaus();
   for (Tableau& tableau : embedded_tableaus()) all.push_back(std::move(tableau));
   all.push_back(dop853_tableau());
+  all.push_back(verner87_tableau());
   return all;
 }
 

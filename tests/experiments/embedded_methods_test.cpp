@@ -56,7 +56,7 @@ TEST_P(EmbeddedSpring, KeepsWhatTheTolerancePromises) {
         << method << " at " << tolerance;
   };
   keeps("bs23", 1e-6);
-  for (const char* method : {"fehlberg45", "cash_karp", "dopri5", "dop853"}) {
+  for (const char* method : {"fehlberg45", "cash_karp", "dopri5", "dop853", "verner87"}) {
     keeps(method, 1e-6);
     keeps(method, 1e-9);
   }
@@ -75,7 +75,7 @@ class EmbeddedOrbit : public Experiment {};
 
 TEST_P(EmbeddedOrbit, TakesFewerEvaluationsThanRk4ForNoLargerAnError) {
   const Record rk4 = simulate(world("rk4", "1e-8") + kOrbit);
-  for (const char* method : {"dopri5", "dop853"}) {
+  for (const char* method : {"dopri5", "dop853", "verner87"}) {
     const Record record = simulate(world(method, "1e-9") + kOrbit);
     EXPECT_LT(gap_of_the_ellipse_m(record), 1.5 * gap_of_the_ellipse_m(rk4)) << method;
     EXPECT_LT(2 * evaluations(record), evaluations(rk4)) << method;
@@ -178,7 +178,7 @@ time
 
 // A box that tumbles on a floor: free flight, impacts, islands in contact.
 TEST(EmbeddedMethods, GiveTheSameBitsBothWays) {
-  for (const char* method : {"bs23", "dopri5", "dop853"}) {
+  for (const char* method : {"bs23", "dopri5", "dop853", "verner87"}) {
     const std::string scene = world(method, "1e-7", "gravity (0, -9.81, 0)\n") + R"(
 object floor
   shape plane(normal = (0, 1, 0), offset = 0)

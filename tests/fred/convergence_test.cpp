@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(, EveryMethod, testing::ValuesIn(methods()),
 // its limit: then the order comes out within a tenth of itself.
 TEST_P(EveryMethod, ConvergesWithItsOrder) {
   const Method& method = GetParam();
-  const int64_t steps = method.order >= 8 ? 6 : method.order == 5 ? 16 : 64;
+  const int64_t steps = method.order >= 8 ? 3 : method.order == 5 ? 16 : 64;
   for (const Known& known : problems()) {
     const auto error = [&](int64_t count) {
       return distance(in_equal_steps(method.name, known.f, known.start, known.t1, count).y,
@@ -99,7 +99,7 @@ TEST_P(EveryMethod, IntegratesPolynomialsOfItsDegree) {
   };
   const Solution solution = in_equal_steps(method.name, power, {0}, 0.7, 3);
   EXPECT_EQ(solution.t, 0.7);
-  EXPECT_NEAR(solution.y[0], std::pow(0.7, method.order), 1e-15);
+  EXPECT_NEAR(solution.y[0], std::pow(0.7, method.order), method.order < 8 ? 1e-15 : 3e-15);
 }
 
 // Inside a step, from its exact start, the error of u(θ) shrinks with h^(dense_order + 1).
@@ -118,9 +118,9 @@ TEST_P(EveryMethod, IsDenseWithItsOrder) {
       }
       return worst;
     };
-    const double h = method.dense_order >= 7 ? 0.4 : 0.1;
+    const double h = method.dense_order >= 8 ? 0.8 : method.dense_order == 7 ? 0.4 : 0.1;
     const double order = std::log2(error(h) / error(h / 2)) - 1;
-    EXPECT_GT(order, std::min(method.dense_order, method.order) - 0.35) << known.name;
+    EXPECT_GT(order, 0.93 * std::min(method.dense_order, method.order)) << known.name;
   }
 }
 

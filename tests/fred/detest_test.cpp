@@ -180,7 +180,7 @@ TEST_P(DetestProblem, IsSolvedWithinTheTolerance) {
   if (GetParam().exact) {
     EXPECT_LT(relative_error(reference, GetParam().exact()), 2e-9);
   }
-  for (const char* method : {"dopri5", "dop853", "radau5"}) {
+  for (const char* method : {"dopri5", "dop853", "verner87", "radau5"}) {
     for (const double tolerance : {1e-5, 1e-8}) {
       const double growth = GetParam().name == "D5" ? 1e5 : 3e3;
       EXPECT_LT(relative_error(solved(method, tolerance), reference), growth * tolerance)

@@ -29,7 +29,7 @@ Ensemble oscillators(size_t systems) {
 }
 
 class EnsembleByMethod : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(, EnsembleByMethod, testing::Values("rk4", "dopri5", "dop853", "verlet"),
+INSTANTIATE_TEST_SUITE_P(, EnsembleByMethod, testing::Values("rk4", "dopri5", "dop853", "verner87", "verlet"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 // As many systems as fill two groups and a part of a third, which ends inside a register.

@@ -169,7 +169,7 @@ class Interrupted : public testing::TestWithParam<std::string> {
 };
 
 INSTANTIATE_TEST_SUITE_P(, Interrupted,
-                         testing::Values("rk4", "bs23", "dopri5", "dop853", "verlet", "radau5"),
+                         testing::Values("rk4", "bs23", "dopri5", "dop853", "verner87", "verlet", "radau5"),
                          [](const auto& tested) { return tested.param; });
 
 TEST_P(Interrupted, AfterSomeSteps) {
@@ -204,7 +204,7 @@ TEST(Integrate, IsCancelledWhenNobodyWaits) {
 // y' = y², y = 1 / (1 − t): the pole at 1 lies inside.
 TEST(Integrate, StopsAtAPole) {
   const Function square = [](double, auto y, auto rate) { rate[0] = y[0] * y[0]; };
-  for (const char* method : {"dopri5", "dop853", "radau5"}) {
+  for (const char* method : {"dopri5", "dop853", "verner87", "radau5"}) {
     const Solution solution = adaptively(method, square, {1}, 2, 1e-9);
     EXPECT_EQ(solution.stop, Stop::step_too_small) << method;
     EXPECT_NEAR(solution.t, 1, 1e-6) << method;

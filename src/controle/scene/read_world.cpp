@@ -9,9 +9,9 @@
 namespace animado::controle {
 namespace {
 
-constexpr std::array<std::string_view, 12> kMethods = {"rk4",        "gill",      "rk38",   "heun3",
-                                                       "midpoint",   "heun",      "euler",  "bs23",
-                                                       "fehlberg45", "cash_karp", "dopri5", "dop853"};
+constexpr std::array<std::string_view, 13> kMethods = {
+    "rk4",  "gill",       "rk38",      "heun3",  "midpoint", "heun",    "euler",
+    "bs23", "fehlberg45", "cash_karp", "dopri5", "dop853",   "verner87"};
 // Methods of fred that cannot move rigid bodies: why, and what to use instead.
 struct Unfit {
   std::string_view name, reason, remedy;

@@ -1,24 +1,14 @@
 // DOP853: eighth order, errors of fifth and third order, dense output of seventh.
 //
 // Dormand, Prince, J. Comp. Appl. Math. 7 (1981), and Hairer, Nørsett, Wanner, Solving ODE I (1993), II.5 and
-// II.10, who give the numbers; stages are counted from 0 here, from 1 there. Most are zero, so that each row
-// lists the others.
-#include <utility>
-
+// II.10, who give the numbers; stages are counted from 0 here, from 1 there.
+#include "fred/tableaus/sparse.hpp"
 #include "fred/tableaus/tableaus.hpp"
 
 namespace animado::fred {
 namespace {
 
 constexpr size_t kStages = 12;
-
-using Sparse = std::vector<std::pair<size_t, double>>;
-
-std::vector<double> row(size_t size, const Sparse& entries) {
-  std::vector<double> full(size);
-  for (const auto& [at, value] : entries) full[at] = value;
-  return full;
-}
 
 // clang-format off
 std::vector<Sparse> matrix() {
@@ -114,11 +104,7 @@ Tableau dop853_tableau() {
             8,
             nodes(),
             row(kStages, weights()),
-            {}};
-  for (const Sparse& entries : matrix()) {
-    const auto full = row(kStages, entries);
-    t.matrix.insert(t.matrix.end(), full.begin(), full.end());
-  }
+            flat(kStages, matrix())};
   t.error_order = 7;
   t.errors = {row(kStages + 1, fifth_order_error()), row(kStages + 1, weights())};
   for (const auto& [at, weight] : third_order_weights()) t.errors[1][at] -= weight;

@@ -1,5 +1,5 @@
 // Where the numbers of the methods stand: classical.cpp those without an error estimate, embedded.cpp the
-// pairs of low order, dop853.cpp the pair of eighth order.
+// pairs of low order, dop853.cpp and verner87.cpp the pairs of eighth order.
 #pragma once
 
 #include "fred/tableau.hpp"
@@ -9,5 +9,6 @@ namespace animado::fred {
 std::vector<Tableau> classical_tableaus();
 std::vector<Tableau> embedded_tableaus();
 Tableau dop853_tableau();
+Tableau verner87_tableau();
 
 }  // namespace animado::fred
