@@ -8,6 +8,7 @@
 
 #include "fixture.hpp"
 #include "rpc/json.hpp"
+#include "rpc/one_core.hpp"
 
 namespace animado::rpc::testing {
 namespace {
@@ -134,6 +135,29 @@ TEST_F(ServerTest, ClientsAreServedSideBySide) {
     if (!client) continue;
     EXPECT_EQ(client->ask(R"([0, 7, "empty", [{}]])"), R"([1,7,null,{}])");
   }
+}
+
+// On one core a server does not look before it sleeps.
+class OneCoreServerTest : public SocketTest {
+ protected:
+  OneCore core_;
+  Served parrot_{directory_, "parrot", fill_parrot};
+};
+
+// Who spoke alone is waited for alone: not for long, and not when it is gone.
+TEST_F(OneCoreServerTest, WhoIsWaitedForAloneDoesNotStopTheOthers) {
+  constexpr int kLongAlone = 20;
+  const auto ask = [](Raw& raw) { EXPECT_EQ(raw.ask(R"([0, 7, "empty", [{}]])"), R"([1,7,null,{}])"); };
+  std::optional<Raw> talker(parrot_.socket());
+  talker->hello();
+  for (int i = 0; i < kLongAlone; ++i) ask(*talker);
+  Raw newcomer(parrot_.socket());
+  newcomer.hello();
+  for (int i = 0; i < kLongAlone; ++i) ask(*talker);
+  ask(newcomer);
+  for (int i = 0; i < kLongAlone; ++i) ask(*talker);
+  talker.reset();
+  ask(newcomer);
 }
 
 TEST_F(ServerTest, AClientThatDoesNotReadDoesNotStopTheOthers) {
