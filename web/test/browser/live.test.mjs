@@ -118,10 +118,12 @@ test("an expression is checked as it is typed, and applied", async () => {
   server.say({ type: "checked", name: "wind", text: "2*t", error: null });
   await page.locator("#live-apply").click();
   assert.deepEqual(await server.next("edit"), { type: "edit", name: "wind", text: "2*t" });
+  const checks = () => server.heard.filter(({ type, text }) => type === "check" && text === "2*t").length;
+  const before = checks();  // none, unless this machine was too slow to click in time
   server.say({ type: "edited", name: "wind", text: "2*t", time_s: 0.4 });
   await text(page, "live-answer", /From 0.4 s on, wind = 2\*t/);
   await page.clock.runFor(1000);
-  assert.deepEqual(server.heard.filter(({ type, text }) => type === "check" && text === "2*t"), []);
+  assert.equal(checks(), before);
 });
 
 test("a run that ends says its hash, and can be played; a lost one is told", async () => {
