@@ -99,7 +99,7 @@ TEST_P(EveryMethod, IntegratesPolynomialsOfItsDegree) {
   };
   const Solution solution = in_equal_steps(method.name, power, {0}, 0.7, 3);
   EXPECT_EQ(solution.t, 0.7);
-  EXPECT_NEAR(solution.y[0], std::pow(0.7, method.order), method.order < 8 ? 1e-15 : 3e-15);
+  EXPECT_NEAR(solution.y[0], std::pow(0.7, method.order), method.name == "verner87" ? 2e-15 : 1e-15);
 }
 
 // Inside a step, from its exact start, the error of u(θ) shrinks with h^(dense_order + 1).
@@ -120,7 +120,8 @@ TEST_P(EveryMethod, IsDenseWithItsOrder) {
     };
     const double h = method.dense_order >= 8 ? 0.8 : method.dense_order == 7 ? 0.4 : 0.1;
     const double order = std::log2(error(h) / error(h / 2)) - 1;
-    EXPECT_GT(order, 0.93 * std::min(method.dense_order, method.order)) << known.name;
+    const double slack = method.dense_order >= 8 ? 0.5 : 0.35;  // rounding is near where h is small enough
+    EXPECT_GT(order, std::min(method.dense_order, method.order) - slack) << known.name;
   }
 }
 

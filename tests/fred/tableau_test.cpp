@@ -22,9 +22,9 @@ double sum(size_t stages, const std::function<double(size_t)>& term) {
   return total;
 }
 
-// Large weights of both signs cancel, and what they lose to rounding is larger by as much.
+// Large weights of both signs cancel: beyond a sum of 10 what they lose to rounding is larger by as much.
 double cancellation(const Tableau& m) {
-  return sum(m.stages(), [&](size_t i) { return std::abs(m.weights[i]); });
+  return std::max(1.0, sum(m.stages(), [&](size_t i) { return std::abs(m.weights[i]); }) / 10);
 }
 
 TEST_P(EveryTableau, IsExplicitAndItsNodesAreRowSums) {
@@ -98,7 +98,7 @@ TEST_P(EveryTableau, DenseOutputIsExactForPolynomials) {
       const double end = sum(m.stages(), [&](size_t i) { return m.weights[i] * rate(i); });
       const double inside = weights.difference * end +
                             sum(m.derivatives(), [&](size_t i) { return weights.rates[i] * rate(i); });
-      EXPECT_NEAR(inside, std::pow(theta, power), 3e-14 * cancellation(m)) << power << " at " << theta;
+      EXPECT_NEAR(inside, std::pow(theta, power), 1e-13 * cancellation(m)) << power << " at " << theta;
     }
   }
 }
