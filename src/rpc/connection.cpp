@@ -60,32 +60,25 @@ void Connection::make_room() {
   if (end_ == in_.size()) in_.resize(std::max(kFirstRoom, 2 * in_.size()));
 }
 
+// Not asleep in recv, though that were one call less: the kernel wakes who sleeps there also when the peer
+// has read what was sent to it, and on one core the sleeper takes the core from the peer, in vain, at each
+// message. A poll wakes for what it waits for.
 Connection::Received Connection::receive_by(Clock::time_point deadline) {
-  using std::chrono::ceil, std::chrono::milliseconds, std::chrono::seconds;
-  const auto left = ceil<milliseconds>(deadline - Clock::now());
-  if (left.count() <= 0) return Received::nothing;
-  // Long waits in whole seconds: the kernel need not be told anew before each.
-  const milliseconds timeout = left > seconds(1) ? ceil<seconds>(left) : left;
-  if (timeout != timeout_) {
-    const timeval time{timeout.count() / 1000, timeout.count() % 1000 * 1000};
-    setsockopt(fd_.get(), SOL_SOCKET, SO_RCVTIMEO, &time, sizeof time);
-    timeout_ = timeout;
-  }
-  return receive(0);
+  return wait_until(fd_.get(), POLLIN, deadline) ? receive() : Received::nothing;
 }
 
-Connection::Received Connection::receive(int flags) {
+Connection::Received Connection::receive() {
   make_room();
   const ssize_t count = descriptors_ == Descriptors::taken
-                            ? receive_with_descriptor(flags)
-                            : ::recv(fd_.get(), in_.data() + end_, in_.size() - end_, flags);
+                            ? receive_with_descriptor()
+                            : ::recv(fd_.get(), in_.data() + end_, in_.size() - end_, MSG_DONTWAIT);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Received::nothing;
   if (count <= 0) return Received::closed;
   end_ += static_cast<size_t>(count);
   return Received::bytes;
 }
 
-ssize_t Connection::receive_with_descriptor(int flags) {
+ssize_t Connection::receive_with_descriptor() {
   DescriptorSpace space;
   iovec part{in_.data() + end_, in_.size() - end_};
   msghdr header{};
@@ -93,7 +86,7 @@ ssize_t Connection::receive_with_descriptor(int flags) {
   header.msg_iovlen = 1;
   header.msg_control = space.bytes;
   header.msg_controllen = sizeof space.bytes;
-  const ssize_t count = ::recvmsg(fd_.get(), &header, flags | MSG_CMSG_CLOEXEC);
+  const ssize_t count = ::recvmsg(fd_.get(), &header, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
   if (count > 0 && header.msg_controllen > 0) received_ = descriptor_in(header);
   return count;
 }

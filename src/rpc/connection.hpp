@@ -29,9 +29,8 @@ class Connection {
   int fd() const { return fd_.get(); }
 
   enum class Received { bytes, nothing, closed };
-  Received receive() { return receive(MSG_DONTWAIT); }  // what is there now
-  // Sleeps until something is there or the time is over. One call to the kernel where poll and recv are two;
-  // the descriptor must be one that blocks.
+  Received receive();  // what is there now
+  // Sleeps until something is there or the time is over.
   Received receive_by(Clock::time_point deadline);
 
   // Takes the next whole message, if it is there; it stays valid until the next receive(). Throws what
@@ -48,9 +47,8 @@ class Connection {
   UniqueFd take_descriptor() { return std::move(received_); }
 
  private:
-  Received receive(int flags);
   void make_room();
-  ssize_t receive_with_descriptor(int flags);
+  ssize_t receive_with_descriptor();
 
   UniqueFd fd_;
   Descriptors descriptors_;
@@ -60,7 +58,6 @@ class Connection {
   Scanner scanner_;
   std::string out_;
   size_t sent_ = 0;
-  std::chrono::milliseconds timeout_{0};  // that the kernel was told; 0: none
 };
 
 }  // namespace animado::rpc

@@ -13,10 +13,6 @@ namespace {
 
 // While one peer keeps us busy the others, and those who want to connect, are looked at this often.
 constexpr std::chrono::milliseconds kFullLook{1};
-// Who alone woke us so many times wakes us next, and is waited for alone: one call to the kernel where a wait
-// for everybody takes two. The others are looked at after so long, and the wait for one is no longer either.
-constexpr int kAlone = 8;
-constexpr std::chrono::milliseconds kAttention{4};
 constexpr std::chrono::milliseconds kLogDelay{50};  // who follows a log does not notice
 constexpr int kLooksAtLast = 32;   // at who spoke last, for one at everybody: some ten microseconds
 constexpr size_t kMaxClient = 40;  // characters of a client's name
@@ -65,8 +61,7 @@ void Server::keep(Companion& companion) {
 
 void Server::run() {
   while (!stopping_) {
-    if (patience_.poll([this] { return look() || stopping_; })) continue;
-    if (!may_attend() || !attend(*last_)) wait(true);
+    if (!patience_.poll([this] { return look() || stopping_; })) wait(true);
   }
   dispatcher_.log().flush();
 }
@@ -81,21 +76,6 @@ bool Server::look() {
   return true;
 }
 
-bool Server::may_attend() const {
-  return in_a_row_ >= kAlone && last_ != nullptr && !last_->ending && last_->connection.unsent() == 0 &&
-         last_done_ - last_full_look_ < kAttention &&
-         (companion_ == nullptr || companion_->next_time() > last_done_ + 2 * kAttention);
-}
-
-bool Server::attend(Peer& peer) {
-  start_log_timer();
-  const bool came = serve(peer, last_done_ + kAttention);
-  patience_.slept();
-  if (!came) in_a_row_ = 0;
-  if (peer.ending) drop_ended();
-  return came;
-}
-
 bool Server::wait(bool sleep) {
   start_log_timer();
   const auto next = companion_ ? companion_->next_time() : Clock::time_point::max();
@@ -107,7 +87,6 @@ bool Server::wait(bool sleep) {
   const auto ready = epoll_.wait(timeout_ms);
   if (sleep) patience_.slept();
   last_full_look_ = Clock::now();
-  if (!ready.empty()) in_a_row_ = ready.size() == 1 && ready[0].data.ptr == last_ ? in_a_row_ + 1 : 0;
   bool for_companion = last_full_look_ >= next, connecting = false;
   for (const epoll_event& event : ready) {
     if (event.data.ptr == companion_) {
@@ -150,7 +129,7 @@ void Server::write_log() {
 
 void Server::accept_all() {
   for (;;) {
-    UniqueFd fd(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+    UniqueFd fd(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!fd) return;
     if (!peer_is_ours(fd.get())) {
       dispatcher_.log().warn("a process of another user was turned away");
@@ -193,10 +172,10 @@ void Server::flush(Peer& peer) {
   if (dispatcher_.service().on_drained) dispatcher_.service().on_drained(peer.id);
 }
 
-bool Server::serve(Peer& peer, std::optional<Clock::time_point> deadline) {
+bool Server::serve(Peer& peer) {
   if (peer.connection.unsent() > 0) flush(peer);
   if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
-  const bool received = receive(peer, deadline);
+  const bool received = receive(peer);
   if (!peer.ending)
     serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
   if (!received) return false;
@@ -208,8 +187,8 @@ bool Server::serve(Peer& peer, std::optional<Clock::time_point> deadline) {
   return true;
 }
 
-bool Server::receive(Peer& peer, std::optional<Clock::time_point> deadline) {
-  const auto received = deadline ? peer.connection.receive_by(*deadline) : peer.connection.receive();
+bool Server::receive(Peer& peer) {
+  const auto received = peer.connection.receive();
   peer.ending |= received == Connection::Received::closed;
   if (received == Connection::Received::nothing) return false;
   begin_ = last_arrival_ = Clock::now();

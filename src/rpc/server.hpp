@@ -6,7 +6,6 @@
 #include <atomic>
 #include <filesystem>
 #include <list>
-#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -57,15 +56,12 @@ class Server {
   bool look();  // serves who spoke last, and now and then everybody; true when there was something to do
   bool send_notifications();  // to a few; true when there were some
   bool wait(bool sleep);      // for anything, and serves it; false when nothing came
-  bool may_attend() const;
-  bool attend(Peer& peer);  // waits a moment for this peer alone; false when nothing came
   void step_companion();
   void start_log_timer();  // the log is written out when it is over, not at every line
   void write_log();
   void accept_all();
-  // What is there, or comes until the deadline; true when something came.
-  bool serve(Peer& peer, std::optional<Clock::time_point> deadline = {});
-  bool receive(Peer& peer, std::optional<Clock::time_point> deadline);
+  bool serve(Peer& peer);  // true when something came
+  bool receive(Peer& peer);
   void serve_messages(Peer& peer);
   void answer_all(Peer& peer);
   void answer(Peer& peer, const Envelope& envelope);
@@ -93,7 +89,6 @@ class Server {
   Peer* last_ = nullptr;  // who spoke last: most likely to speak next
   ConnectionId next_id_ = 1;
   int looks_ = 0;
-  int in_a_row_ = 0;     // waits that last_ ended, and nobody else
   size_t notified_ = 0;  // peers
   Clock::time_point last_full_look_, last_arrival_, last_done_;
   Clock::time_point begin_;  // of the request that is served: it came, or the one before it was answered

@@ -125,7 +125,6 @@ std::filesystem::path SocketChannel::find_socket() {
 void SocketChannel::connect() {
   UniqueFd fd = connect_to(find_socket());
   if (!fd) throw Broken{};
-  fcntl(fd.get(), F_SETFL, 0);  // it may sleep in recv; who does not want to says so with each call
   connection_.emplace(std::move(fd), service_ == kWellKnown ? Descriptors::taken : Descriptors::discarded);
   inbox_.clear();
   ++connections_;

@@ -137,15 +137,14 @@ TEST_F(ServerTest, ClientsAreServedSideBySide) {
   }
 }
 
-// On one core a server does not look before it sleeps.
+// On one core a server does not look before it sleeps, nor does it hand the core to who waits.
 class OneCoreServerTest : public SocketTest {
  protected:
   OneCore core_;
   Served parrot_{directory_, "parrot", fill_parrot};
 };
 
-// Who spoke alone is waited for alone: not for long, and not when it is gone.
-TEST_F(OneCoreServerTest, WhoIsWaitedForAloneDoesNotStopTheOthers) {
+TEST_F(OneCoreServerTest, WhoSpeaksAloneForLongDoesNotStopTheOthers) {
   constexpr int kLongAlone = 20;
   const auto ask = [](Raw& raw) { EXPECT_EQ(raw.ask(R"([0, 7, "empty", [{}]])"), R"([1,7,null,{}])"); };
   std::optional<Raw> talker(parrot_.socket());

@@ -1,10 +1,12 @@
 // src/rpc/socket_channel.cpp with server.cpp and registration.cpp: calls over real sockets.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include <numeric>
 
 #include "fixture.hpp"
 #include "rpc/local_suite.hpp"
+#include "rpc/one_core.hpp"
 
 namespace animado::rpc::testing {
 namespace {
@@ -35,6 +37,31 @@ TEST_F(SocketChannelTest, AnswersAsTheServiceInThisProcessDoes) {
     EXPECT_EQ(error_of([&] { parrot.call<Lookup>({"x"}); }).code(), Code::unknown_method);
     EXPECT_EQ(parrot.call<Statistics>({}).errors, 3);
   }
+}
+
+// How often this thread gave its core away because it had to wait.
+int64_t times_asleep() {
+  rusage use{};
+  getrusage(RUSAGE_THREAD, &use);
+  return use.ru_nvcsw;
+}
+
+class OneCoreChannelTest : public SocketTest {
+ protected:
+  OneCore core_;
+  Served names_{directory_, "interexpserv", fill_names};
+  Served parrot_{directory_, "parrot", fill_parrot};
+  SocketSuite suite_{options()};
+};
+
+// Not also when the service has read the request: on one core that takes the core from it, at each message.
+TEST_F(OneCoreChannelTest, WhoCallsSleepsOnceAndIsWokenByTheAnswer) {
+  constexpr int kCalls = 500;
+  Channel& parrot = suite_.channel("parrot");
+  parrot.call<Empty>({});
+  const int64_t before = times_asleep();
+  for (int i = 0; i < kCalls; ++i) parrot.call<Echo>(full_request());
+  EXPECT_LT(times_asleep() - before, kCalls + kCalls / 10);
 }
 
 TEST_F(SocketChannelTest, SharedArraysAreReadAndWrittenInPlace) {
