@@ -36,41 +36,6 @@ size_t bytes_of(const std::vector<int64_t>& shape, std::string_view name) {
               std::string(name), "ask for less, or free memory");
 }
 
-// A few arrays of a megabyte have more small pages than a processor keeps track of, for five processes that
-// look at them in turn: from kLarge on one huge page is worth what of it is left over. A run's arrays have
-// less than kHuge; of larger ones pages are taken as they are used, so that much may be asked for and little
-// filled.
-constexpr size_t kLarge = size_t{512} << 10, kHuge = size_t{64} << 20;
-constexpr size_t kHugePage = size_t{2} << 20;
-
-bool in_huge_pages(size_t bytes) {
-  return bytes >= kLarge && bytes <= kHuge;
-}
-
-// What is mapped may reach beyond the array's end, where nothing is to be read.
-size_t mapped_bytes(size_t bytes) {
-  return in_huge_pages(bytes) ? (bytes + kHugePage - 1) / kHugePage * kHugePage : bytes;
-}
-
-// Addresses for so many bytes that begin where a huge page may; null when there are none.
-char* reserve(size_t bytes) {
-  void* const reserved = mmap(nullptr, bytes + kHugePage, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (reserved == MAP_FAILED) return nullptr;
-  const size_t before = -reinterpret_cast<uintptr_t>(reserved) % kHugePage;
-  char* const begin = static_cast<char*>(reserved) + before;
-  if (before > 0) munmap(reserved, before);
-  munmap(begin + bytes, kHugePage - before);
-  return begin;
-}
-
-// MAP_FAILED when it cannot be.
-void* map(int fd, size_t bytes) {
-  const int access = PROT_READ | PROT_WRITE;
-  if (!in_huge_pages(bytes)) return mmap(nullptr, bytes, access, MAP_SHARED, fd, 0);
-  char* const at = reserve(mapped_bytes(bytes));
-  return at == nullptr ? MAP_FAILED : mmap(at, mapped_bytes(bytes), access, MAP_SHARED | MAP_FIXED, fd, 0);
-}
-
 }  // namespace
 
 UniqueFd SharedArray::make(std::string_view name, const std::vector<int64_t>& shape) {
@@ -95,7 +60,7 @@ SharedArray::SharedArray(UniqueFd fd, std::vector<int64_t> shape, std::string_vi
                 "hand over the descriptor that array_create gave, with the shape it was made with");
   }
   if (bytes == 0) return;
-  void* const pages = map(fd_.get(), bytes);
+  void* pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fd_.get(), 0);
   if (pages == MAP_FAILED) refuse_memory(name, bytes);
   values_ = {static_cast<double*>(pages), bytes / sizeof(double)};
 }
@@ -104,17 +69,7 @@ SharedArray::SharedArray(SharedArray&& other) noexcept
     : fd_(std::move(other.fd_)), shape_(std::move(other.shape_)), values_(std::exchange(other.values_, {})) {}
 
 SharedArray::~SharedArray() {
-  if (!values_.empty()) munmap(values_.data(), mapped_bytes(values_.size_bytes()));
-}
-
-void SharedArray::join_pages() {
-  const size_t bytes = values_.size_bytes();
-  if (!in_huge_pages(bytes)) return;
-  const auto* pages = reinterpret_cast<const volatile char*>(values_.data());
-  for (size_t at = 0; at < bytes; at += kHugePage)
-    static_cast<void>(pages[at]);  // only what is there is joined
-  constexpr int kCollapse = 25;    // MADV_COLLAPSE, which Debian 12's headers do not know
-  madvise(values_.data(), mapped_bytes(bytes), kCollapse);
+  if (!values_.empty()) munmap(values_.data(), values_.size_bytes());
 }
 
 SharedArray& SharedArrays::create(const std::string& name, const std::vector<int64_t>& shape) {
@@ -123,7 +78,6 @@ SharedArray& SharedArrays::create(const std::string& name, const std::vector<int
   const auto [at, added] = made_.emplace(name, std::move(array));
   if (!added)
     throw Error(Code::conflict, "this process made an array of that name before", name, "use a name once");
-  at->second.join_pages();
   return at->second;
 }
 
@@ -137,7 +91,6 @@ SharedArray& SharedArrays::open(const std::string& name) {
       const auto older = [](const auto& a, const auto& b) { return a.second.last_use < b.second.last_use; };
       opened_.erase(std::min_element(opened_.begin(), opened_.end(), older));
     }
-    array.join_pages();
     found = opened_.emplace(name, Opened{std::move(array), 0}).first;
   }
   found->second.last_use = ++uses_;

@@ -26,11 +26,6 @@ class SharedArray {
   SharedArray& operator=(SharedArray&&) = delete;
   ~SharedArray();
 
-  // Takes all its memory now, a large array's (half a megabyte to 64) in huge pages where the system grants
-  // them: who passes over it step by step meets fewer. Small ones stay as they are, and where there are no
-  // huge pages (before Linux 6.1, or none left) this changes nothing but the speed.
-  void join_pages();
-
   std::span<double> values() const { return values_; }
   const std::vector<int64_t>& shape() const { return shape_; }
   int descriptor() const { return fd_.get(); }

@@ -28,45 +28,6 @@ TEST(SharedArray, TwoMappingsOfItSeeTheSameNumbers) {
   EXPECT_EQ(two.values()[5], 42);
 }
 
-// Sizes about half a huge page, one, and several: whatever pages there are, these are the numbers.
-TEST(SharedArray, ALargeOneInHugePagesHoldsTheSameNumbers) {
-  for (int64_t count : {65535, 65536, 130000, 262144, 262145, 1000000}) {
-    UniqueFd fd = SharedArray::make("a", {count});
-    SharedArray one(UniqueFd(dup(fd.get())), {count}, "a"), two(std::move(fd), {count}, "a");
-    one.values()[0] = 1;
-    one.values().back() = 2;
-    for (SharedArray* array : {&one, &two}) array->join_pages();
-    EXPECT_EQ(two.values().size(), static_cast<size_t>(count));
-    EXPECT_EQ(two.values()[0], 1);
-    EXPECT_EQ(two.values().back(), 2);
-    EXPECT_EQ(std::ranges::count(two.values(), 0.0), count - 2);
-    two.values().back() = 3;
-    EXPECT_EQ(one.values().back(), 3);
-    EXPECT_EQ(reinterpret_cast<uintptr_t>(one.values().data()) % (count < 65536 ? 4096 : 2 << 20), 0u);
-  }
-}
-
-size_t mapped_in_this_process() {
-  std::ifstream maps("/proc/self/maps");
-  return static_cast<size_t>(
-      std::count(std::istreambuf_iterator<char>(maps), std::istreambuf_iterator<char>(), '\n'));
-}
-
-TEST(SharedArray, NothingOfALargeOneStaysMapped) {
-  { SharedArray(SharedArray::make("a", {130000}), {130000}, "a").join_pages(); }
-  const size_t before = mapped_in_this_process();
-  for (int i = 0; i < 20; ++i) SharedArray(SharedArray::make("a", {130000}), {130000}, "a").join_pages();
-  EXPECT_LT(mapped_in_this_process(), before + 5);
-}
-
-TEST(SharedArray, MuchMayBeAskedForAndLittleFilled) {
-  constexpr int64_t kCount = int64_t{1} << 36;  // 512 GiB
-  SharedArray array(SharedArray::make("a", {kCount}), {kCount}, "a");
-  array.join_pages();
-  array.values()[kCount - 1] = 7;
-  EXPECT_EQ(array.values()[kCount - 1], 7);
-}
-
 TEST(SharedArray, ItsSizeIsSealed) {
   const UniqueFd fd = SharedArray::make("a", {4});
   EXPECT_NE(ftruncate(fd.get(), 0), 0);
