@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr auto kHead = R"(# Completion of animado for bash: source <(animado completion bash)
+constexpr auto kBashHead = R"(# Completion of animado for bash: source <(animado completion bash)
 _animado() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=
   local options= valued= kind= i index=0
@@ -22,7 +22,7 @@ _animado() {
 )";
 
 // Which positional is it? Words that an option takes do not count. The last positional takes all that follow.
-constexpr auto kTail = R"(    *) return ;;
+constexpr auto kBashTail = R"(    *) return ;;
   esac
   for ((i = 2; i < COMP_CWORD; i++)); do
     case ${COMP_WORDS[i]} in
@@ -97,7 +97,7 @@ std::string branch(const std::string& command, const CLI::App& app, const Words&
 std::string bash_completion(const CLI::App& program) {
   Words commands;
   for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
-  std::string text = kHead + branch("''", program, {quoted(kind_text({ValueKind::words, commands}))});
+  std::string text = kBashHead + branch("''", program, {quoted(kind_text({ValueKind::words, commands}))});
   for (const CLI::App* command : program.get_subcommands({})) {
     Words positionals;
     for (const CLI::Option* option : positionals_of(*command))
@@ -106,7 +106,7 @@ std::string bash_completion(const CLI::App& program) {
     if (command->get_prefix_command()) positionals.push_back(quoted(kind_text({ValueKind::folders})));
     text += branch(command->get_name(), *command, positionals);
   }
-  return text + kTail;
+  return text + kBashTail;
 }
 
 }  // namespace animado

@@ -9,7 +9,7 @@ namespace animado {
 
 namespace {
 
-constexpr auto kExamples =
+constexpr auto kCallExamples =
     "  animado call egesp solve '{\"matrices\": {\"shape\": [2, 2], \"data\": [2, 1, 1, 3]},\n"
     "                             \"right_sides\": {\"shape\": [2], \"data\": [3, 5]}}'\n"
     "  animado call fred methods\n"
@@ -17,7 +17,7 @@ constexpr auto kExamples =
     "  animado call fred integrate - < request.json      the request from stdin\n\n"
     "The reply is JSON on stdout. docs/protocol.md lists the messages.\n";
 
-struct Options {
+struct CallOptions {
   SuiteChoice suite;
   std::string service, method, params = "{}";
 };
@@ -25,8 +25,8 @@ struct Options {
 }  // namespace
 
 void add_call_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(line, "call", "Send a message to a service", kExamples);
+  const auto options = std::make_shared<CallOptions>();
+  CLI::App& command = add_command(line, "call", "Send a message to a service", kCallExamples);
   command.add_option("service", options->service, "interexpserv, egesp, fred or colisao")->required();
   command.add_option("method", options->method, "The message")->required();
   command.add_option("params", options->params, "Its fields as a JSON object; - reads stdin (default: {})");

@@ -9,13 +9,13 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct EvalOptions {
   SuiteChoice suite;
   std::string text;
   bool json = false;
 };
 
-interexpserv::Evaluate::Reply evaluate(const Options& options) {
+interexpserv::Evaluate::Reply evaluate(const EvalOptions& options) {
   if (const auto suite = find_suite(options.suite))
     return interexpserv::Client(*suite).evaluate(options.text);
   if (!options.suite.run.empty() || !options.suite.socket_dir.empty())
@@ -28,7 +28,7 @@ interexpserv::Evaluate::Reply evaluate(const Options& options) {
 }  // namespace
 
 void add_eval_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvalOptions>();
   CLI::App& command =
       add_command(line, "eval", "Evaluate an expression",
                   "  animado eval \"2*pi\"\n"

@@ -8,13 +8,13 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct GetOptions {
   SuiteChoice suite;
   std::vector<std::string> names;
   bool json = false, history = false;
 };
 
-void print_history(const Options& options, rpc::SocketSuite& suite) {
+void print_history(const GetOptions& options, rpc::SocketSuite& suite) {
   for (const std::string& name : options.names) {
     for (const auto& r : interexpserv::Client(suite).history(name)) {
       if (options.json) {
@@ -30,7 +30,7 @@ void print_history(const Options& options, rpc::SocketSuite& suite) {
   }
 }
 
-void get(const Options& options) {
+void get(const GetOptions& options) {
   const auto suite = connect_to_suite(options.suite);
   if (options.history) return print_history(options, *suite);
   rpc::Channel& interexpserv = suite->channel("interexpserv");
@@ -50,7 +50,7 @@ void get(const Options& options) {
 }  // namespace
 
 void add_get_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GetOptions>();
   CLI::App& command = add_command(line, "get", "Show the values of names",
                                   "  animado get ball.position          its value alone\n"
                                   "  animado get ball.position spring.k\n"

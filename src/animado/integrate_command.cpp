@@ -17,7 +17,7 @@ namespace animado {
 
 namespace {
 
-constexpr auto kExamples =
+constexpr auto kIntegrateExamples =
     "  animado integrate \"x' = v; v' = -x\" --from \"x=1, v=0\" --until 10 --plot\n"
     "  animado integrate \"x' = v; v' = -k*x\" --from \"x=1, v=0\" --with \"k=4*pi^2\" --until 1 --samples "
     "4\n"
@@ -27,7 +27,7 @@ constexpr auto kExamples =
 constexpr double kDefaultTolerance = 1e-9;
 constexpr int64_t kTableRows = 20, kPlotSamples = 400;
 
-struct Options {
+struct IntegrateOptions {
   SuiteChoice suite;
   std::string equations, from, with, method, csv;
   std::vector<std::string> events, stops;
@@ -80,7 +80,7 @@ bool is_adaptive(fred::Client& fred, const std::string& name) {
   return false;  // fred will say that there is none
 }
 
-fred::Integrate::Request request_of(const Options& options, fred::Client& fred) {
+fred::Integrate::Request request_of(const IntegrateOptions& options, fred::Client& fred) {
   fred::Integrate::Request request;
   request.equations = parts(options.equations, ';');
   request.from = values(options.from, "--from");
@@ -146,7 +146,7 @@ void print_plot(const fred::Integrate::Reply& reply) {
   fmt::print("{}", braille_plot(t, curves, plot_size(STDOUT_FILENO), shows_colours(STDOUT_FILENO)));
 }
 
-void print_events(const Options& options, const fred::Integrate::Reply& reply) {
+void print_events(const IntegrateOptions& options, const fred::Integrate::Reply& reply) {
   for (const auto& event : reply.events) {
     const auto number = static_cast<size_t>(event.event);
     const std::string& text = number < options.events.size() ? options.events[number]
@@ -181,7 +181,7 @@ ExitCode tell_end(const fred::Integrate::Reply& reply) {
   }
 }
 
-ExitCode integrate(const Options& options) {
+ExitCode integrate(const IntegrateOptions& options) {
   const auto suite = suite_or_own(options.suite);
   fred::Client fred(suite->channel("fred"));
   const auto reply = fred.integrate(request_of(options, fred));
@@ -195,8 +195,8 @@ ExitCode integrate(const Options& options) {
 }  // namespace
 
 void add_integrate_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(line, "integrate", "Integrate differential equations", kExamples);
+  const auto options = std::make_shared<IntegrateOptions>();
+  CLI::App& command = add_command(line, "integrate", "Integrate differential equations", kIntegrateExamples);
   command.add_option("equations", options->equations, "One an unknown, as \"x' = v; v' = -x\"")->required();
   command.add_option("--from", options->from, "The unknowns at the start, as \"x=1, v=0\"")->required();
   command.add_option("--until", options->until, "The end")->required();

@@ -14,13 +14,13 @@ namespace {
 
 constexpr int kLookAgain_ms = 50;  // as often as a module writes its lines out
 
-struct Options {
+struct LogOptions {
   std::string file;
   bool follow = false;
 };
 
 // A log that is followed may not be there yet. It stays open: its folder is renamed when the run has ended.
-std::ifstream opened(const Options& options) {
+std::ifstream opened(const LogOptions& options) {
   std::ifstream file(options.file);
   while (!file && options.follow) {
     poll(nullptr, 0, kLookAgain_ms);
@@ -76,7 +76,7 @@ bool print_lines(std::ifstream& file, std::string& begun, bool colours) {
   return true;
 }
 
-void show(const Options& options) {
+void show(const LogOptions& options) {
   std::ifstream file = opened(options);
   const bool colours = shows_colours(STDOUT_FILENO);
   const bool live = options.follow && is_terminal(STDOUT_FILENO);
@@ -94,7 +94,7 @@ void show(const Options& options) {
 }  // namespace
 
 void add_log_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LogOptions>();
   CLI::App& command = add_command(line, "log", "Print a module's log in colours",
                                   "  animado log runs/colisao/logs/egesp.log\n"
                                   "  animado log --follow runs/colisao/logs/fred.log    until Ctrl-C\n\n"

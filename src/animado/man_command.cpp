@@ -8,7 +8,7 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct ManOptions {
   std::string command, directory;
 };
 
@@ -32,7 +32,7 @@ void write_all(const CLI::App& program, const std::filesystem::path& directory) 
   }
 }
 
-void print(const CLI::App& program, const Options& options) {
+void print(const CLI::App& program, const ManOptions& options) {
   if (!options.directory.empty()) return write_all(program, options.directory);
   if (options.command.empty()) return fmt::print("{}", man_page(program, "animado"));
   const CLI::App& command = command_named(program, options.command);
@@ -42,7 +42,7 @@ void print(const CLI::App& program, const Options& options) {
 }  // namespace
 
 void add_man_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ManOptions>();
   CLI::App& command = add_command(line, "man", "Print a manual page",
                                   "  animado man run | man -l -\n"
                                   "  animado man --all build/release/man/man1    all of them, as files\n\n"

@@ -10,7 +10,7 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct PingOptions {
   SuiteChoice suite;
   std::vector<std::string> services = {"interexpserv", "egesp", "fred", "colisao"};
   int count = 100;
@@ -31,7 +31,7 @@ std::vector<double> round_trips_us(rpc::Channel& channel, int count) {
   return times_us;
 }
 
-void ping(const Options& options) {
+void ping(const PingOptions& options) {
   const auto suite = connect_to_suite(options.suite);
   for (const std::string& service : options.services) {
     const auto times_us = round_trips_us(suite->channel(service), options.count);
@@ -52,7 +52,7 @@ void ping(const Options& options) {
 }  // namespace
 
 void add_ping_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PingOptions>();
   CLI::App& command = add_command(line, "ping", "Measure round trips to services",
                                   "  animado ping                    all four services\n"
                                   "  animado ping egesp --count 1000\n");

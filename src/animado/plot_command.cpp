@@ -12,7 +12,7 @@ namespace animado {
 
 namespace {
 
-constexpr auto kExamples =
+constexpr auto kPlotExamples =
     "  animado plot runs/colisao                                      energy over time, in the terminal\n"
     "  animado plot runs/colisao cubo.y esfera.y esfera.speed         a panel a unit\n"
     "  animado plot runs/colisao energy residual --output plot.svg    a picture; also .png\n"
@@ -20,7 +20,7 @@ constexpr auto kExamples =
     "Of a run: energy, residual, momentum, contacts, step. Of a body: x, y, z, vx, vy, vz, speed,\n"
     "wx, wy, wz, spin, ex, ey, ez (Euler angles).\n";
 
-struct Options {
+struct PlotOptions {
   std::string directory, output, csv;
   std::vector<std::string> what;
 };
@@ -33,7 +33,7 @@ void print(const RunCurves& curves) {
   }
 }
 
-void plot(const Options& options) {
+void plot(const PlotOptions& options) {
   const auto run = controle::read_run(options.directory);
   if (run.frames() == 0)
     throw Error(Code::unavailable, "this run has no frames", options.directory, "simulate the scene again");
@@ -47,8 +47,8 @@ void plot(const Options& options) {
 }  // namespace
 
 void add_plot_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(line, "plot", "Plot what a run did, over time", kExamples);
+  const auto options = std::make_shared<PlotOptions>();
+  CLI::App& command = add_command(line, "plot", "Plot what a run did, over time", kPlotExamples);
   command.add_option("directory", options->directory, "The folder of a run's results")
       ->required()
       ->type_name(kFolderType);

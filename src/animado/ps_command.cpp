@@ -7,7 +7,7 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct PsOptions {
   SuiteChoice suite;
   bool json = false;
 };
@@ -15,7 +15,7 @@ struct Options {
 }  // namespace
 
 void add_ps_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PsOptions>();
   CLI::App& command =
       add_command(line, "ps", "List the services that run",
                   "  animado ps                     of the suite that was started last\n"

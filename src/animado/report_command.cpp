@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kExamples =
+constexpr auto kReportExamples =
     "  animado report runs/colisao                makes runs/colisao/report.html again\n"
     "  xdg-open runs/colisao/report.html          opens it: no network, no server\n\n"
     "A run makes it by itself, unless it was told --no-pictures.\n"
@@ -19,7 +19,7 @@ constexpr auto kExamples =
 
 void add_report_command(CommandLine& line) {
   const auto directory = std::make_shared<fs::path>();
-  CLI::App& command = add_command(line, "report", "Make the page of a run: report.html", kExamples);
+  CLI::App& command = add_command(line, "report", "Make the page of a run: report.html", kReportExamples);
   command.add_option("results", *directory, "The folder of a run")->required()->type_name(kFolderType);
   command.callback([&line, directory] {
     try {

@@ -12,7 +12,7 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct RestoreOptions {
   SuiteChoice suite;
   std::string file, prefix;
 };
@@ -23,7 +23,7 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(opened), {}};
 }
 
-void restore(const Options& options) {
+void restore(const RestoreOptions& options) {
   const auto suite = connect_to_suite(options.suite);
   const auto done =
       interexpserv::Client(*suite).restore(names_in(text_of(options.file), options.file), options.prefix);
@@ -33,7 +33,7 @@ void restore(const Options& options) {
 }  // namespace
 
 void add_restore_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RestoreOptions>();
   CLI::App& command =
       add_command(line, "restore", "Make the definitions of names those of a snapshot",
                   "  animado restore names.txt\n"

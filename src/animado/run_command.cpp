@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kExamples =
+constexpr auto kRunExamples =
     "  animado run scenes/colisao.animado                results in runs/colisao/\n"
     "  animado run scenes/colisao.animado --out tonight  results in tonight/\n"
     "  animado run scenes/colisao.animado --in-process   one process instead of five: the same bits\n"
@@ -34,7 +34,7 @@ constexpr auto kExamples =
     "Exit codes: 0 done, 2 usage, 3 scene refused, 4 the motion diverged, 5 a service was lost, 130 "
     "interrupted.\n";
 
-struct Options {
+struct RunOptions {
   std::string scene, out, name, replay_of;
   bool extensions = false, in_process = false, quiet = false, json = false, keep_services = false;
   bool no_pictures = false, mp4 = false, live = false;
@@ -43,7 +43,7 @@ struct Options {
 };
 
 // A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
-void finish(const Options& options, controle::ResultsDirectory& results, ExitCode code) {
+void finish(const RunOptions& options, controle::ResultsDirectory& results, ExitCode code) {
   if (code != kLost && fs::exists(results.path() / "summary.json")) {
     if (!options.no_pictures) {
       const bool film = options.mp4 && code == kDone;
@@ -60,7 +60,7 @@ void finish(const Options& options, controle::ResultsDirectory& results, ExitCod
   }
 }
 
-ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
+ExitCode run_into(const RunOptions& options, controle::ResultsDirectory& results) {
   using Clock = std::chrono::steady_clock;
   ProgressLine progress(progress_style(options.quiet), stderr, Clock::now());
   RunRequest request{.scene = options.scene,
@@ -91,7 +91,7 @@ ExitCode run_into(const Options& options, controle::ResultsDirectory& results) {
   });
 }
 
-ExitCode run(Options options) {
+ExitCode run(RunOptions options) {
   try {
     if (!options.replay_of.empty()) {
       options.replay = read_replay(options.replay_of);
@@ -127,8 +127,8 @@ ExitCode run(Options options) {
 }  // namespace
 
 void add_run_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(line, "run", "Simulate a scene", kExamples);
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = add_command(line, "run", "Simulate a scene", kRunExamples);
   const auto scene = command.add_option("scene", options->scene, "The scene's file")->type_name(kSceneType);
   command.add_option("--out", options->out, "Directory of the results (default: runs/<scene>)")
       ->type_name(kFolderType);

@@ -7,13 +7,13 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct SetOptions {
   SuiteChoice suite;
   std::vector<std::string> words;
   std::optional<int64_t> if_version;
 };
 
-void set(const Options& options) {
+void set(const SetOptions& options) {
   const auto& words = options.words;
   if (words.size() % 2 != 0) throw CLI::ValidationError("set", "each name needs an expression");
   std::vector<interexpserv::Define::Definition> definitions;
@@ -26,7 +26,7 @@ void set(const Options& options) {
 }  // namespace
 
 void add_set_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SetOptions>();
   CLI::App& command =
       add_command(line, "set", "Define names by expressions",
                   "  animado set ball.force \"(0, -9.81*mass, 0)\"\n"

@@ -9,12 +9,12 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct SnapshotOptions {
   SuiteChoice suite;
   std::string file, prefix;
 };
 
-void snapshot(const Options& options) {
+void snapshot(const SnapshotOptions& options) {
   const std::string text =
       names_text(interexpserv::Client(*connect_to_suite(options.suite)).snapshot(options.prefix));
   options.file.empty() ? fmt::print("{}", text) : controle::write_whole(options.file, text);
@@ -23,7 +23,7 @@ void snapshot(const Options& options) {
 }  // namespace
 
 void add_snapshot_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SnapshotOptions>();
   CLI::App& command =
       add_command(line, "snapshot", "Keep the definitions of names",
                   "  animado snapshot names.txt                 a line `name = expression` each\n"

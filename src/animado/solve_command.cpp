@@ -16,7 +16,7 @@ namespace {
 
 using egesp::Array;
 
-constexpr auto kExamples =
+constexpr auto kSolveExamples =
     "  animado solve A.mtx b.mtx                     prints x, a number a line\n"
     "  animado solve A.mtx b.mtx -o x.mtx            writes it as a Matrix Market file\n"
     "  animado solve A.mtx b.mtx --refine --condition\n"
@@ -27,7 +27,7 @@ constexpr auto kExamples =
 
 constexpr size_t kMostInline = 1 << 16;  // numbers that travel in the message; more are shared
 
-struct Options {
+struct SolveOptions {
   SuiteChoice suite;
   std::string matrix, right_side, out, method = "auto", pivoting = "partial";
   std::optional<double> threshold;
@@ -76,7 +76,7 @@ void tell(const std::optional<egesp::Accuracy>& accuracy) {
   if (!accuracy->warning.empty()) print_note("warning: " + accuracy->warning);
 }
 
-std::vector<double> solve_dense(const Options& o, const MarketMatrix& a, Array b, Numbers& numbers,
+std::vector<double> solve_dense(const SolveOptions& o, const MarketMatrix& a, Array b, Numbers& numbers,
                                 egesp::Client egesp) {
   egesp::Solve::Request request;
   request.matrices = numbers.send({a.rows, a.columns}, a.dense());
@@ -90,7 +90,7 @@ std::vector<double> solve_dense(const Options& o, const MarketMatrix& a, Array b
   return numbers.receive(reply.solutions);
 }
 
-std::vector<double> solve_sparse(const Options& o, const MarketMatrix& a, Array b, Numbers& numbers,
+std::vector<double> solve_sparse(const SolveOptions& o, const MarketMatrix& a, Array b, Numbers& numbers,
                                  egesp::Client egesp) {
   const auto count = static_cast<int64_t>(a.values.size());
   egesp::SparseSolve::Request request;
@@ -105,7 +105,7 @@ std::vector<double> solve_sparse(const Options& o, const MarketMatrix& a, Array 
   return numbers.receive(reply.solutions);
 }
 
-std::vector<double> fit(const Options& o, const MarketMatrix& a, Array b, Numbers& numbers,
+std::vector<double> fit(const SolveOptions& o, const MarketMatrix& a, Array b, Numbers& numbers,
                         egesp::Client egesp) {
   egesp::LeastSquares::Request request;
   request.matrix = numbers.send({a.rows, a.columns}, a.dense());
@@ -119,7 +119,7 @@ std::vector<double> fit(const Options& o, const MarketMatrix& a, Array b, Number
   return numbers.receive(reply.solutions);
 }
 
-void check_shapes(const Options& o, const MarketMatrix& a, const MarketMatrix& b) {
+void check_shapes(const SolveOptions& o, const MarketMatrix& a, const MarketMatrix& b) {
   if (b.rows != a.rows) {
     throw Error(Code::bad_shape, fmt::format("{} rows, and {} in {}", b.rows, a.rows, o.matrix), o.right_side,
                 "the right-hand side has a row for each row of the matrix");
@@ -140,7 +140,7 @@ void write_solution(const std::string& file, const MarketMatrix& a, const Market
   controle::write_whole(file, matrix_market_text(a.columns, b.columns, x));
 }
 
-void solve(const Options& o) {
+void solve(const SolveOptions& o) {
   const MarketMatrix a = read_matrix_market(o.matrix), b = read_matrix_market(o.right_side);
   check_shapes(o, a, b);
   const auto suite = suite_or_own(o.suite);
@@ -155,8 +155,9 @@ void solve(const Options& o) {
 }  // namespace
 
 void add_solve_command(CommandLine& line) {
-  const auto o = std::make_shared<Options>();
-  CLI::App& command = add_command(line, "solve", "Solve a linear system from Matrix Market files", kExamples);
+  const auto o = std::make_shared<SolveOptions>();
+  CLI::App& command =
+      add_command(line, "solve", "Solve a linear system from Matrix Market files", kSolveExamples);
   command.add_option("A", o->matrix, "The matrix")->required()->type_name(kFileType);
   command.add_option("b", o->right_side, "The right-hand side, or several as columns")
       ->required()

@@ -10,20 +10,20 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct TopOptions {
   SuiteChoice suite;
   double every_s = 1;
   bool once = false, json = false;
 };
 
-void show_once(const Options& options, rpc::SocketSuite& suite) {
+void show_once(const TopOptions& options, rpc::SocketSuite& suite) {
   const auto before = service_states(suite);
   poll(nullptr, 0, static_cast<int>(1000 * options.every_s));
   const auto loads = loads_between(before, service_states(suite));
   options.json ? fmt::print("{}\n", load_json(loads).dump()) : fmt::print("{}", load_table(loads));
 }
 
-void show_until_told(const Options& options, rpc::SocketSuite& suite) {
+void show_until_told(const TopOptions& options, rpc::SocketSuite& suite) {
   Screen screen;
   std::vector<ServiceState> before;  // at first what there was since the start is shown
   do {
@@ -38,7 +38,7 @@ void show_until_told(const Options& options, rpc::SocketSuite& suite) {
 }  // namespace
 
 void add_top_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TopOptions>();
   CLI::App& command =
       add_command(line, "top", "Show what the services do, drawn again each second",
                   "  animado top            until q or Ctrl-C\n"

@@ -14,7 +14,7 @@ namespace animado {
 
 namespace {
 
-struct Options {
+struct WatchOptions {
   SuiteChoice suite;
   std::vector<std::string> names;
   double every_s = 0.1;
@@ -24,7 +24,7 @@ struct Options {
 
 class Watcher {
  public:
-  explicit Watcher(const Options& options)
+  explicit Watcher(const WatchOptions& options)
       : options_(options), suite_(connect_to_suite(options.suite)), interexpserv_(*suite_) {
     for (const std::string& name : options.names) interexpserv_.watch(name);
   }
@@ -71,14 +71,14 @@ class Watcher {
     fmt::print("{}\n", options_.json ? name_json(name).dump() : fmt::format("{} = {}", name.name, value));
   }
 
-  const Options& options_;
+  const WatchOptions& options_;
   std::unique_ptr<rpc::SocketSuite> suite_;
   interexpserv::Client interexpserv_;
   std::map<std::string, std::string> last_;
   int64_t told_ = 0;
 };
 
-void watch(const Options& options) {
+void watch(const WatchOptions& options) {
   Watcher watcher(options);
   try {
     watcher.run();
@@ -90,7 +90,7 @@ void watch(const Options& options) {
 }  // namespace
 
 void add_watch_command(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WatchOptions>();
   CLI::App& command = add_command(line, "watch", "Tell values whenever they change, until the suite ends",
                                   "  animado watch ball.position\n"
                                   "  animado watch t ball.velocity --every 1\n"

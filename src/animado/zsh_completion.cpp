@@ -10,13 +10,13 @@ namespace animado {
 
 namespace {
 
-constexpr auto kHead = R"(#compdef animado
+constexpr auto kZshHead = R"(#compdef animado
 # Completion of animado for zsh: source <(animado completion zsh), or keep it as _animado in a folder of $fpath.
 _animado() {
   local -a commands
 )";
 
-constexpr auto kTail = R"(  esac
+constexpr auto kZshTail = R"(  esac
 }
 if [ "${funcstack[1]}" = _animado ]; then _animado "$@"; else compdef _animado animado; fi
 )";
@@ -76,7 +76,7 @@ std::string arguments(const CLI::App& command) {
 }  // namespace
 
 std::string zsh_completion(const CLI::App& program) {
-  std::string text = kHead;
+  std::string text = kZshHead;
   text += "  commands=(\n";
   for (const CLI::App* command : program.get_subcommands({})) {
     text += fmt::format("    '{}:{}'\n", command->get_name(), described(command->get_description()));
@@ -86,7 +86,7 @@ std::string zsh_completion(const CLI::App& program) {
       "  shift words\n  ((CURRENT--))\n  case $words[1] in\n";
   for (const CLI::App* command : program.get_subcommands({}))
     text += fmt::format("    {})\n      _arguments -s{} ;;\n", command->get_name(), arguments(*command));
-  return text + kTail;
+  return text + kZshTail;
 }
 
 }  // namespace animado

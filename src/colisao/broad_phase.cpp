@@ -16,7 +16,6 @@ namespace {
 constexpr double kLarge =
     4;  // times the median width: more bodies a cell would cost more than the separate list
 constexpr size_t kSample = 500;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A body that stays needs no ball: its box is exact, however long and thin it is.
 void put_resting(BoundingBoxes& boxes, size_t i, const Solid& solid, const Pose& pose, double margin_m) {
@@ -35,7 +34,7 @@ double median_of_finite(const std::vector<double>& widths) {
   for (size_t i = 0; i < widths.size(); i += widths.size() / kSample + 1) {
     if (std::isfinite(widths[i])) sample.push_back(widths[i]);
   }
-  if (sample.empty()) return kInfinity;
+  if (sample.empty()) return std::numeric_limits<double>::infinity();
   const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
   std::nth_element(sample.begin(), middle, sample.end());
   return *middle;

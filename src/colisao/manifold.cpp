@@ -78,15 +78,15 @@ bool meet_at_rim(const PairInput& in, const Vec3& normal, Vec3* rim_normal, Cont
   if (!in.a.polyhedron() || !in.b.polyhedron()) return false;
   const std::vector<Crossing> all =
       crossings(*in.a.polyhedron(), in.pose_a, *in.b.polyhedron(), in.pose_b, kCoincident_m);
-  if (all.size() == 1 && all[0].kind == Meet::vertex_vertex) {
+  if (all.size() == 1 && all[0].kind == Meeting::vertex_vertex) {
     *rim_normal = line_of_origins(in, normal);
     *kind = ContactKind::vertex_vertex;
     return true;
   }
-  const bool along_edge =
-      all.size() == 2 && std::all_of(all.begin(), all.end(), [](const Crossing& c) {
-        return c.kind == Meet::edge_overlap || c.kind == Meet::vertex_vertex || c.kind == Meet::vertex_edge;
-      });
+  const bool along_edge = all.size() == 2 && std::all_of(all.begin(), all.end(), [](const Crossing& c) {
+                            return c.kind == Meeting::edge_overlap || c.kind == Meeting::vertex_vertex ||
+                                   c.kind == Meeting::vertex_edge;
+                          });
   if (!along_edge) return false;
   const Vec3 edge = (all[1].point_m - all[0].point_m).normalized(), line = line_of_origins(in, normal);
   const Vec3 across = line - edge.dot(line) * edge;

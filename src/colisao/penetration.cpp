@@ -10,11 +10,11 @@
 namespace animado::colisao {
 namespace {
 
-constexpr int kMostSteps = 32;
-constexpr double kStraight_rad = 1e-10;  // a turn of the normal that is no longer worth a step
-constexpr double kRounding = 4e-15;      // of the extent
-constexpr size_t kStarts = 8;            // the best of the start directions, from which it climbs
-constexpr double kApart = 0.95;          // cosine: starts nearer to each other would climb the same hill
+constexpr int kMostAscents = 32;
+constexpr double kStraight_rad = 1e-10;    // a turn of the normal that is no longer worth a step
+constexpr double kExtentRounding = 4e-15;  // of the extent
+constexpr size_t kStarts = 8;              // the best of the start directions, from which it climbs
+constexpr double kApart = 0.95;            // cosine: starts nearer to each other would climb the same hill
 constexpr int kSpread = 64;
 constexpr double kShallow = 1e-2;  // of the smaller size: a depth below this has no rival worth a search
 // How far A is moved away from B, of the smaller size: less at every step, since the normal's error falls by
@@ -78,14 +78,15 @@ std::vector<Vec3> start_directions(const Placed& a, const Placed& b) {
 Separation ascend(const Placed& a, const Placed& b, const Vec3& normal) {
   double lift = kLift * size_of(a, b);
   Separation best{separation_along(a, b, normal), normal, a.core_support(-normal), b.core_support(normal)};
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostAscents; ++step) {
     const double moved = lift + std::max(0.0, -best.separation_m);
     const Vec3 shift = moved * best.normal;
     const CoreDistance d = core_distance(a, b, shift, best.normal);
     if (d.overlap) break;
     // Second order in the error of the normal, where the separation along it would be first order at an edge.
     const double distance = d.separation.norm(), separation = distance - moved;
-    if (step > 0 && separation < best.separation_m - kRounding * (a.solid.radius_m() + b.solid.radius_m()))
+    if (step > 0 &&
+        separation < best.separation_m - kExtentRounding * (a.solid.radius_m() + b.solid.radius_m()))
       break;
     const Vec3 next = d.separation / distance;
     const double turn = (next - best.normal).norm();

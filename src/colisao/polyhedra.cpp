@@ -6,13 +6,13 @@
 namespace animado::colisao {
 namespace {
 
-using Corners = std::vector<Vec3>;
+using Vertices = std::vector<Vec3>;
 
 struct Bounds {
   Vec3 low, high;
 };
 
-Bounds bounds_of(const Corners& points) {
+Bounds bounds_of(const Vertices& points) {
   Bounds b{points[0], points[0]};
   for (const Vec3& p : points) b = {b.low.cwiseMin(p), b.high.cwiseMax(p)};
   return b;
@@ -24,7 +24,7 @@ bool meet(const Bounds& a, const Bounds& b, double tolerance) {
 }
 
 struct WorldFace {
-  Corners corners;
+  Vertices corners;
   Vec3 normal;
   Bounds bounds;
 
@@ -33,21 +33,21 @@ struct WorldFace {
   size_t before(size_t k) const { return (k + corners.size() - 1) % corners.size(); }
 };
 
-struct WorldEdge {
+struct WorldSegment {
   Vec3 from, to;
   Bounds bounds;
 };
 
 struct WorldPolyhedron {
-  Corners vertices;
+  Vertices vertices;
   std::vector<WorldFace> faces;
-  std::vector<WorldEdge> edges;
+  std::vector<WorldSegment> edges;
 
   WorldPolyhedron(const Polyhedron& p, const Pose& pose) {
     for (const Vec3& v : p.vertices_m) vertices.push_back(pose.to_world(v));
     const auto vertex = [&](int i) { return vertices[static_cast<size_t>(i)]; };
     for (const Polyhedron::Face& face : p.faces) {
-      Corners corners;
+      Vertices corners;
       for (int i : face.vertices) corners.push_back(vertex(i));
       faces.push_back({corners, pose.orientation * face.normal, bounds_of(corners)});
     }
@@ -68,7 +68,7 @@ double distance_to_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
 }
 
 // Whether two segments share more than a point.
-bool run_along(const WorldEdge& e, const Vec3& c, const Vec3& d, double tolerance) {
+bool run_along(const WorldSegment& e, const Vec3& c, const Vec3& d, double tolerance) {
   const double length = (e.to - e.from).norm();
   const Vec3 along = (e.to - e.from) / length;
   if (along.cross(c - e.from).norm() > tolerance || along.cross(d - e.from).norm() > tolerance) return false;
@@ -100,7 +100,7 @@ class EdgesOnFaces {
  public:
   EdgesOnFaces(double tolerance, std::vector<Crossing>& found) : tolerance_(tolerance), found_(found) {}
 
-  void test(const WorldEdge& edge, const WorldFace& face) {
+  void test(const WorldSegment& edge, const WorldFace& face) {
     if (!meet(edge.bounds, face.bounds, tolerance_)) return;
     const double from = face.height(edge.from), to = face.height(edge.to);
     const bool from_in_plane = std::abs(from) <= tolerance_, to_in_plane = std::abs(to) <= tolerance_;
@@ -115,7 +115,7 @@ class EdgesOnFaces {
 
  private:
   // An edge in the plane of a face: it meets the face's border at corners and where it crosses.
-  void within_plane(const WorldEdge& edge, const WorldFace& face) {
+  void within_plane(const WorldSegment& edge, const WorldFace& face) {
     for (size_t k = 0; k < face.corners.size(); ++k) {
       const Vec3 &c = face.corners[k], &d = face.next(k);
       if (distance_to_segment(c, edge.from, edge.to) <= tolerance_) take(c, edge, face);
@@ -127,39 +127,39 @@ class EdgesOnFaces {
     }
   }
 
-  void take(const Vec3& p, const WorldEdge& edge, const WorldFace& face) {
+  void take(const Vec3& p, const WorldSegment& edge, const WorldFace& face) {
     const Place place = place_in(face, p, tolerance_);
     if (place.where == Place::Where::outside) return;
     const bool at_vertex = (p - edge.from).norm() <= tolerance_ || (p - edge.to).norm() <= tolerance_;
     keep({kind(at_vertex, place, edge, face), p});
   }
 
-  Meet kind(bool at_vertex, const Place& place, const WorldEdge& edge, const WorldFace& face) const {
-    if (place.where == Place::Where::interior) return at_vertex ? Meet::vertex_face : Meet::edge_face;
+  Meeting kind(bool at_vertex, const Place& place, const WorldSegment& edge, const WorldFace& face) const {
+    if (place.where == Place::Where::interior) return at_vertex ? Meeting::vertex_face : Meeting::edge_face;
     const bool at_corner = place.where == Place::Where::corner;
-    if (at_vertex && at_corner) return Meet::vertex_vertex;
+    if (at_vertex && at_corner) return Meeting::vertex_vertex;
     const auto along = [&](size_t k) { return run_along(edge, face.corners[k], face.next(k), tolerance_); };
-    if (along(place.index) || (at_corner && along(face.before(place.index)))) return Meet::edge_overlap;
-    return at_vertex || at_corner ? Meet::vertex_edge : Meet::edge_edge;
+    if (along(place.index) || (at_corner && along(face.before(place.index)))) return Meeting::edge_overlap;
+    return at_vertex || at_corner ? Meeting::vertex_edge : Meeting::edge_edge;
   }
 
   // A point is found once for every edge and face that share it: the most particular kind stays.
   void keep(const Crossing& crossing) {
-    const auto rank = [](Meet kind) {
+    const auto rank = [](Meeting kind) {
       switch (kind) {
-        case Meet::vertex_vertex:
+        case Meeting::vertex_vertex:
           return 6;
-        case Meet::edge_overlap:
+        case Meeting::edge_overlap:
           return 5;
-        case Meet::vertex_edge:
+        case Meeting::vertex_edge:
           return 4;
-        case Meet::edge_edge:
+        case Meeting::edge_edge:
           return 3;
-        case Meet::vertex_face:
+        case Meeting::vertex_face:
           return 2;
-        case Meet::edge_face:
+        case Meeting::edge_face:
           return 1;
-        case Meet::inside:
+        case Meeting::inside:
           return 0;
       }
       return 0;
@@ -187,7 +187,7 @@ std::vector<Crossing> crossings(const Polyhedron& a, const Pose& pose_a, const P
   EdgesOnFaces tests(tolerance_m, found);
   const auto one_way = [&](const WorldPolyhedron& edges_of, const WorldPolyhedron& faces_of,
                            const Bounds& box) {
-    for (const WorldEdge& edge : edges_of.edges) {
+    for (const WorldSegment& edge : edges_of.edges) {
       if (!meet(edge.bounds, box, tolerance_m)) continue;
       for (const WorldFace& face : faces_of.faces) tests.test(edge, face);
     }
@@ -195,8 +195,8 @@ std::vector<Crossing> crossings(const Polyhedron& a, const Pose& pose_a, const P
   one_way(in_a, in_b, box_b);
   one_way(in_b, in_a, box_a);
   if (!found.empty()) return found;
-  if (in_b.holds(in_a.vertices[0])) found.push_back({Meet::inside, in_a.vertices[0]});
-  if (in_a.holds(in_b.vertices[0])) found.push_back({Meet::inside, in_b.vertices[0]});
+  if (in_b.holds(in_a.vertices[0])) found.push_back({Meeting::inside, in_a.vertices[0]});
+  if (in_a.holds(in_b.vertices[0])) found.push_back({Meeting::inside, in_b.vertices[0]});
   return found;
 }
 

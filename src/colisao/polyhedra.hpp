@@ -12,7 +12,7 @@
 
 namespace animado::colisao {
 
-enum class Meet {
+enum class Meeting {
   edge_face,      // an edge runs through the inside of a face
   vertex_face,    // a vertex lies in a face
   edge_edge,      // two edges cross in a point
@@ -23,7 +23,7 @@ enum class Meet {
 };
 
 struct Crossing {
-  Meet kind;
+  Meeting kind;
   Vec3 point_m;  // world
 };
 

@@ -13,18 +13,18 @@ struct Nearest {
   double squared = 0;
 };
 
-using Corners = std::array<Vec3, 4>;
+using Simplex4 = std::array<Vec3, 4>;
 
 // Squared height of a triangle, relative to its edge and to its distance, from which its normal is trusted.
 constexpr double kWellShaped = 1e-4;
 
-Nearest at_corner(const Corners& w, size_t i) {
+Nearest at_corner(const Simplex4& w, size_t i) {
   Nearest n{w[i], {}, w[i].squaredNorm()};
   n.weight[i] = 1;
   return n;
 }
 
-Nearest on_line(const Corners& w, size_t i, size_t j) {
+Nearest on_line(const Simplex4& w, size_t i, size_t j) {
   const Vec3 along = w[j] - w[i];
   const double length2 = along.squaredNorm(), reach = -w[i].dot(along);
   if (!(reach > 0)) return at_corner(w, i);
@@ -41,7 +41,7 @@ void keep_nearer(Nearest& best, const Nearest& other) {
   if (other.squared < best.squared) best = other;
 }
 
-Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k, Search search) {
+Nearest on_triangle(const Simplex4& w, size_t i, size_t j, size_t k, Search search) {
   const Vec3 normal = (w[j] - w[i]).cross(w[k] - w[i]);
   const double area2 = normal.squaredNorm();
   const std::array<size_t, 3> corner{i, j, k};
@@ -74,7 +74,7 @@ Nearest on_triangle(const Corners& w, size_t i, size_t j, size_t k, Search searc
   return best;
 }
 
-Nearest in_tetrahedron(const Corners& w, Search search) {
+Nearest in_tetrahedron(const Simplex4& w, Search search) {
   const double volume = (w[1] - w[0]).cross(w[2] - w[0]).dot(w[3] - w[0]);
   // Signed volumes of the tetrahedra that the origin makes with each face, in the orientation of `volume`.
   const std::array<double, 4> part{w[1].cross(w[2]).dot(w[3]), -w[0].cross(w[2]).dot(w[3]),

@@ -8,7 +8,7 @@
 namespace animado::colisao {
 namespace {
 
-constexpr int kMostSteps = 12;
+constexpr int kMostTurns = 12;
 constexpr double kAngleStep = 1e-5;  // of the difference quotients: Newton needs few digits of the slope
 
 using Vec2 = Eigen::Vector2d;
@@ -102,7 +102,7 @@ CoreDistance refine_by_slices(const Placed& a, const Placed& b, const Vec3& shif
   Vec2 angles(sliced_a.turns() ? sliced_a.angle_of(near.point_a_m) : 0,
               sliced_b.turns() ? sliced_b.angle_of(near.point_b_m) : 0);
   Trial here = at(sliced_a, sliced_b, angles, near.separation);
-  for (int k = 0; k < kMostSteps && !here.distance.overlap; ++k) {
+  for (int k = 0; k < kMostTurns && !here.distance.overlap; ++k) {
     if (here.distance.separation.norm() <= best.separation.norm()) best = here.distance;
     Vec2 step = step_from(sliced_a, sliced_b, angles, here, near.separation);
     if (step.norm() > 0.1) step *= 0.1 / step.norm();

@@ -18,34 +18,34 @@ void check_length(double length_m, const char* where) {
   if (!(length_m > 0)) throw Error(Code::refused, "a length is not positive", where, "give a length above 0");
 }
 
-struct Bounds {
+struct Sizes {
   double core_radius_m, radius_m, size_m;
 };
 
-Bounds bounds_of(const Sphere& s, const Polyhedron*) {
+Sizes sizes_of(const Sphere& s, const Polyhedron*) {
   check_length(s.radius_m, "sphere");
   return {s.radius_m, s.radius_m, s.radius_m};
 }
-Bounds bounds_of(const Box& b, const Polyhedron*) {
+Sizes sizes_of(const Box& b, const Polyhedron*) {
   return {0, b.half_m.norm(), b.half_m.minCoeff()};
 }
-Bounds bounds_of(const Capsule& c, const Polyhedron*) {
+Sizes sizes_of(const Capsule& c, const Polyhedron*) {
   check_length(c.radius_m, "capsule");
   check_length(c.half_height_m, "capsule");
   return {c.radius_m, c.radius_m + c.half_height_m, c.radius_m};
 }
-Bounds bounds_of(const Cylinder& c, const Polyhedron*) {
+Sizes sizes_of(const Cylinder& c, const Polyhedron*) {
   check_length(c.radius_m, "cylinder");
   check_length(c.half_height_m, "cylinder");
   return {0, std::hypot(c.radius_m, c.half_height_m), std::min(c.radius_m, c.half_height_m)};
 }
-Bounds bounds_of(const Cone& c, const Polyhedron*) {
+Sizes sizes_of(const Cone& c, const Polyhedron*) {
   check_length(c.radius_m, "cone");
   check_length(c.height_m, "cone");
   return {0, std::max(0.75 * c.height_m, std::hypot(c.radius_m, 0.25 * c.height_m)),
           std::min(c.radius_m, 0.5 * c.height_m)};
 }
-Bounds bounds_of(const Hull&, const Polyhedron* p) {
+Sizes sizes_of(const Hull&, const Polyhedron* p) {
   double radius = 0, width = kInfinity;
   for (const Vec3& v : p->vertices_m) radius = std::max(radius, v.norm());
   for (const Polyhedron::Face& face : p->faces) {
@@ -55,7 +55,7 @@ Bounds bounds_of(const Hull&, const Polyhedron* p) {
   }
   return {0, radius, 0.5 * width};
 }
-Bounds bounds_of(const HalfSpace& h, const Polyhedron*) {
+Sizes sizes_of(const HalfSpace& h, const Polyhedron*) {
   if (!h.normal.allFinite() || !std::isfinite(h.offset_m)) {
     throw Error(Code::not_finite, "a plane is not finite", "plane", "give a finite normal and offset");
   }
@@ -115,7 +115,7 @@ Solid::Solid(Shape shape) : shape_(std::move(shape)) {
   } else if (const auto* hull = std::get_if<Hull>(&shape_)) {
     polyhedron_ = std::make_shared<Polyhedron>(make_polyhedron(*hull));
   }
-  const Bounds b = std::visit([&](const auto& s) { return bounds_of(s, polyhedron_.get()); }, shape_);
+  const Sizes b = std::visit([&](const auto& s) { return sizes_of(s, polyhedron_.get()); }, shape_);
   core_radius_m_ = b.core_radius_m;
   radius_m_ = b.radius_m;
   size_m_ = b.size_m;

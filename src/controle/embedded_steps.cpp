@@ -5,11 +5,10 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "controle/step_size.hpp"
 
 namespace animado::controle {
 namespace {
-
-constexpr double kLongest_s = 1.0 / 60;  // a force that changes within a frame should not be stepped over
 
 // A step that time hardly notices cannot be shortened: some digits of it must be left.
 constexpr double kLeastOfTime = 16 * std::numeric_limits<double>::epsilon();
@@ -20,12 +19,13 @@ bool is_too_short(double step_s, double time_s) {
 
 }  // namespace
 
-EmbeddedSteps::EmbeddedSteps(FreeMotion& motion, double tolerance) : motion_(motion), next_s_(kLongest_s) {
+EmbeddedSteps::EmbeddedSteps(FreeMotion& motion, double tolerance)
+    : motion_(motion), next_s_(kLongestStep_s) {
   request_.absolute_tolerance = request_.relative_tolerance = {tolerance};
 }
 
 double EmbeddedSteps::proposed_s(double rest_s, double most_s) const {
-  const double longest_s = std::min({next_s_, kLongest_s, most_s});
+  const double longest_s = std::min({next_s_, kLongestStep_s, most_s});
   // A hair of slack, so that rounding adds no step.
   return rest_s / std::max(1.0, std::ceil(rest_s / longest_s * (1 - 1e-12)));
 }

@@ -10,8 +10,7 @@ namespace {
 // makes about 1e-13 a second at a thousand steps a second.
 constexpr double kToleranceRate = 1e-11;
 
-constexpr double kLongest_s = 1.0 / 60;  // a force that changes within a frame should not be stepped over
-constexpr double kShortest_s = 1e-6;     // shorter ones would only gather rounding
+constexpr double kShortest_s = 1e-6;  // shorter ones would only gather rounding
 constexpr double kSafety = 0.9;
 constexpr int kMostTrials = 6;
 
@@ -24,7 +23,7 @@ StepSize::StepSize(FreeMotion& motion, size_t bodies, std::optional<double> give
       order_(motion.order()),
       tolerance_rate_(tolerance.value_or(kToleranceRate)),
       given_s_(given_s),
-      last_s_(kLongest_s),
+      last_s_(kLongestStep_s),
       whole_(motion.make_state("trial_whole")),
       half_(motion.make_state("trial_half")),
       halves_(motion.make_state("trial_halves")) {}
@@ -50,7 +49,7 @@ size_t StepSize::steps(const Lanes& state, double time_s, double interval_s, dou
   };
   if (given_s_) return cut(std::min(*given_s_, most_s));
 
-  double step_s = std::min({2 * last_s_, kLongest_s, interval_s, most_s});
+  double step_s = std::min({2 * last_s_, kLongestStep_s, interval_s, most_s});
   for (int trial = 0; trial < kMostTrials; ++trial) {
     const double rate = error_rate(state, time_s, step_s);
     if (rate <= tolerance_rate_) break;

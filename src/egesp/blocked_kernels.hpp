@@ -9,6 +9,9 @@
 
 namespace animado::egesp {
 
+inline constexpr size_t kPlain =
+    48;  // rows or columns up to which plain loops are as fast as the blocked ones
+
 constexpr const BlockedKernels& blocked_kernels(InstructionSet instructions) {
   switch (instructions) {
     case InstructionSet::avx512:

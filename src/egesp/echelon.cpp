@@ -9,8 +9,6 @@
 namespace animado::egesp {
 namespace {
 
-constexpr size_t kPlain = 48;  // rows or columns up to which the plain loops are as fast as the blocked ones
-
 struct Sweep {
   std::span<double> a;
   size_t rows, columns;

@@ -14,8 +14,6 @@
 namespace animado::egesp {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 // A group's place in memory: n² · 8 factors, then 2 n · 8 bytes for the order of rows and columns, to the end
 // of a cache line.
 size_t doubles_a_group(size_t n) {
@@ -78,7 +76,8 @@ class InLanes final : public PreparedBatch {
 
   // The kernels only say that a pivot was refused; alone, the same arithmetic tells which.
   void refuse_lane(size_t first, size_t lane, double* place) {
-    for (size_t k = 0; k < n_; ++k) place[(k * n_ + k) * kLaneGroup + lane] = kNan;
+    for (size_t k = 0; k < n_; ++k)
+      place[(k * n_ + k) * kLaneGroup + lane] = std::numeric_limits<double>::quiet_NaN();
     if (lane >= filled(first)) return;
     std::vector<double> matrix(n_ * n_);
     for (size_t e = 0; e < matrix.size(); ++e) matrix[e] = scratch_[e * kLaneGroup + lane];

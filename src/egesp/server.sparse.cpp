@@ -12,7 +12,7 @@
 namespace animado::egesp {
 namespace {
 
-constexpr std::string_view kKind = "prepared sparse system";
+constexpr std::string_view kSparseKind = "prepared sparse system";
 
 // A pattern beside the factors of values in it.
 struct PreparedSparse final : Kept {
@@ -72,9 +72,9 @@ SparseSolve::Reply solve_once(const SparseSolve::Request& request, rpc::Call& ca
   return solution(request, prepared(request.matrix, request.options, call)->lu, call);
 }
 
-class PreparedMessages {
+class SparseMessages {
  public:
-  explicit PreparedMessages(std::shared_ptr<Handles> handles) : handles_(std::move(handles)) {}
+  explicit SparseMessages(std::shared_ptr<Handles> handles) : handles_(std::move(handles)) {}
 
   SparsePrepare::Reply prepare(const SparsePrepare::Request& request, rpc::Call& call) {
     auto system = prepared(request.matrix, request.options, call);
@@ -101,7 +101,7 @@ class PreparedMessages {
 
  private:
   PreparedSparse& find(int64_t handle, rpc::Call& call) {
-    return handles_->find<PreparedSparse>(call.connection(), handle, kKind);
+    return handles_->find<PreparedSparse>(call.connection(), handle, kSparseKind);
   }
 
   std::shared_ptr<Handles> handles_;
@@ -110,7 +110,7 @@ class PreparedMessages {
 }  // namespace
 
 void add_sparse(rpc::Service& service, const std::shared_ptr<Handles>& handles) {
-  const auto messages = std::make_shared<PreparedMessages>(handles);
+  const auto messages = std::make_shared<SparseMessages>(handles);
   service.on<SparseSolve>(solve_once)
       .on<SparsePrepare>(
           [messages](const auto& request, rpc::Call& call) { return messages->prepare(request, call); })

@@ -7,8 +7,6 @@
 namespace animado::egesp {
 namespace {
 
-constexpr size_t kPlain = 48;  // rows up to which the plain loops are as fast as the blocked ones
-
 bool is_plain(size_t n, InstructionSet instructions) {
   return n <= kPlain || instructions == InstructionSet::scalar;
 }

@@ -8,7 +8,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian arrays");
 
-constexpr size_t kAlignment_bytes = 8;  // a browser refuses an array of doubles that lies elsewhere
 constexpr double kUnsignedSteps = 65535, kSignedSteps = 32767;
 
 Vec3 lowest(const std::vector<Vec3>& vectors) {

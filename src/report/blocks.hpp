@@ -12,6 +12,9 @@
 
 namespace animado::report {
 
+// A browser refuses an array of doubles that lies elsewhere.
+inline constexpr size_t kAlignment_bytes = 8;
+
 class Blocks {
  public:
   void add(const std::string& name, std::span<const double> numbers);  // as they are

@@ -13,12 +13,12 @@ namespace animado::report {
 namespace {
 
 // A run is read whole. One that does not fit into memory must not take its results with it.
-constexpr uintmax_t kMostBytes = uintmax_t{1} << 30;
+constexpr uintmax_t kMostStates_bytes = uintmax_t{1} << 30;
 
 void refuse_huge(const std::filesystem::path& states) {
   std::error_code missing;  // said by who reads it
   const uintmax_t bytes = std::filesystem::file_size(states, missing);
-  if (missing || bytes <= kMostBytes) return;
+  if (missing || bytes <= kMostStates_bytes) return;
   throw Error(Code::limit, fmt::format("{} MiB of states are too many for one page", bytes >> 20),
               states.string(), "give the scene's `time` a longer `step`: fewer frames, the same motion");
 }

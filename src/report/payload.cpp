@@ -17,7 +17,7 @@ using controle::Event;
 using controle::RecordedRun;
 using controle::RecordedState;
 
-constexpr size_t kLength_bytes = 4, kAlignment_bytes = 8;
+constexpr size_t kLength_bytes = 4;
 
 using Frames = std::vector<size_t>;
 

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMostMessages = 80;              // more are no picture any more
-constexpr size_t kMostBytes = size_t{256} << 20;  // a second of reading; a long run has gigabytes of log
+constexpr size_t kMostMessages = 80;                  // more are no picture any more
+constexpr size_t kMostLog_bytes = size_t{256} << 20;  // a second of reading; a long run has gigabytes of log
 constexpr double kDay_us = 24 * 3600e6;
 
 struct Step {
@@ -36,7 +36,7 @@ std::optional<Step> choose_step(const fs::path& controle_log, std::span<const co
   std::optional<Step> plain;
   Step step;
   size_t bytes = 0, steps = 0;
-  for (std::string line; bytes < kMostBytes && std::getline(log, line); bytes += line.size() + 1) {
+  for (std::string line; bytes < kMostLog_bytes && std::getline(log, line); bytes += line.size() + 1) {
     if (auto call = sent_call(line)) {
       if (step.calls.size() <= kMostMessages) step.calls.push_back(std::move(*call));
     } else if (const auto end = step_end(line)) {

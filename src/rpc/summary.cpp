@@ -8,8 +8,8 @@
 namespace animado::rpc {
 namespace {
 
-constexpr size_t kMaxText = 60;     // characters of a text that a log line shows
-constexpr size_t kMaxElements = 4;  // a longer list shows as its length
+constexpr size_t kMaxText = 60;   // characters of a text that a log line shows
+constexpr size_t kMaxListed = 4;  // a longer list shows as its length
 
 void append_text(std::string_view text, std::string& out) {
   out += '"';
@@ -49,7 +49,7 @@ void append_list(const Type& type, const void* value, std::string& out) {
   const size_t count = type.count(value);
   const auto* at = static_cast<const char*>(type.elements(value));
   out += '[';
-  if (count > kMaxElements || type.element->kind == Type::Kind::record) {
+  if (count > kMaxListed || type.element->kind == Type::Kind::record) {
     append_integer(static_cast<int64_t>(count), out);
   } else {
     for (size_t i = 0; i < count; ++i) {

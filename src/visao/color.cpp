@@ -8,7 +8,7 @@ namespace animado::visao {
 
 namespace {
 
-float linear_of(double srgb) {
+float decoded(double srgb) {
   return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
 }
 
@@ -39,7 +39,7 @@ uint8_t encoded(float linear) {
 }  // namespace
 
 Vec3f linear_of(const Vec3& srgb) {
-  return {linear_of(srgb.x()), linear_of(srgb.y()), linear_of(srgb.z())};
+  return {decoded(srgb.x()), decoded(srgb.y()), decoded(srgb.z())};
 }
 
 Srgb8 srgb8_of(const Vec3f& linear) {

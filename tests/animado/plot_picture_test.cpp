@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RunCurves example() {
+RunCurves example_curves() {
   RunCurves curves;
   Curve rising{"rising", {}}, falling{"falling", {}};
   for (int k = 0; k <= 100; ++k) {
@@ -65,7 +65,7 @@ int with_tone(const std::map<uint32_t, int>& colours, int r, int g, int b) {
 
 TEST(PlotPicture, PngHasEachCurveInItsColourOnWhite) {
   const TemporaryDirectory directory;
-  write_picture(example(), directory / "plot.png");
+  write_picture(example_curves(), directory / "plot.png");
   const auto colours = colours_of(directory / "plot.png");
   EXPECT_GT(colours.at(0xffffff), 900'000);
   EXPECT_GT(with_tone(colours, 0x00, 0x73, 0xb2), 1000);  // blue: 0, 0.45, 0.70
@@ -74,7 +74,7 @@ TEST(PlotPicture, PngHasEachCurveInItsColourOnWhite) {
 
 TEST(PlotPicture, SvgIsOne) {
   const TemporaryDirectory directory;
-  write_picture(example(), directory / "plot.svg");
+  write_picture(example_curves(), directory / "plot.svg");
   const std::string text = text_of(directory / "plot.svg");
   EXPECT_THAT(text, testing::StartsWith("<?xml"));
   EXPECT_THAT(text, testing::HasSubstr("</svg>"));
@@ -82,7 +82,7 @@ TEST(PlotPicture, SvgIsOne) {
 
 TEST(PlotPicture, RefusesAnotherEndingAndWritesNothing) {
   const TemporaryDirectory directory;
-  EXPECT_THROW(write_picture(example(), directory / "plot.gif"), Error);
+  EXPECT_THROW(write_picture(example_curves(), directory / "plot.gif"), Error);
   EXPECT_FALSE(fs::exists(directory / "plot.gif"));
 }
 

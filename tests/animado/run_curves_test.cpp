@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 
 // Two frames of two bodies.
-controle::RecordedRun example() {
+controle::RecordedRun example_run() {
   controle::RecordedRun run;
   run.bodies = {{.name = "Bola"}, {.name = "floor", .motion = Motion::fixed}};
   run.times_s = {0, 0.5};
@@ -39,7 +39,7 @@ std::vector<std::string> names_in(const Panel& panel) {
 }
 
 TEST(RunCurves, ABodysAreInPanelsByQuantity) {
-  const RunCurves curves = curves_of(example(), {"bola.y", "Bola.speed", "bola.x"});
+  const RunCurves curves = curves_of(example_run(), {"bola.y", "Bola.speed", "bola.x"});
   ASSERT_EQ(curves.panels.size(), 2u);
   EXPECT_EQ(label_of(curves.panels[0]), "position (m)");
   EXPECT_THAT(names_in(curves.panels[0]), ElementsAre("Bola.y", "Bola.x"));
@@ -49,7 +49,7 @@ TEST(RunCurves, ABodysAreInPanelsByQuantity) {
 }
 
 TEST(RunCurves, EnergyLeavesOutWhatIsNotThere) {
-  const RunCurves curves = curves_of(example(), {"energy"});
+  const RunCurves curves = curves_of(example_run(), {"energy"});
   ASSERT_EQ(curves.panels.size(), 1u);
   EXPECT_EQ(label_of(curves.panels[0]), "energy (J)");
   EXPECT_THAT(names_in(curves.panels[0]), ElementsAre("total", "kinetic", "potential", "lost"));
@@ -58,33 +58,34 @@ TEST(RunCurves, EnergyLeavesOutWhatIsNotThere) {
 }
 
 TEST(RunCurves, MomentumIsOfTwoKinds) {
-  const RunCurves curves = curves_of(example(), {"momentum"});
+  const RunCurves curves = curves_of(example_run(), {"momentum"});
   ASSERT_EQ(curves.panels.size(), 2u);
   EXPECT_THAT(names_in(curves.panels[1]), ElementsAre("Lx", "Ly", "Lz"));
   EXPECT_THAT(curves.panels[1].curves[2].y, ElementsAre(0, 9));
 }
 
 TEST(RunCurves, NoStepLeadsToTheFirstFrame) {
-  const RunCurves curves = curves_of(example(), {"step", "contacts"});
+  const RunCurves curves = curves_of(example_run(), {"step", "contacts"});
   EXPECT_TRUE(std::isnan(curves.panels[0].curves[0].y[0]));
   EXPECT_EQ(curves.panels[0].curves[0].y[1], 0.25);
   EXPECT_EQ(label_of(curves.panels[1]), "contact points");
 }
 
 TEST(RunCurves, AreATable) {
-  EXPECT_EQ(csv_of(curves_of(example(), {"bola.y", "bola.vx"})), "time_s,Bola.y,Bola.vx\n0,2,0\n0.5,5,3\n");
+  EXPECT_EQ(csv_of(curves_of(example_run(), {"bola.y", "bola.vx"})),
+            "time_s,Bola.y,Bola.vx\n0,2,0\n0.5,5,3\n");
 }
 
 TEST(RunCurves, RefusesAnUnknownNameAndNamesTheNearest) {
   try {
-    curves_of(example(), {"enrgy"});
+    curves_of(example_run(), {"enrgy"});
     FAIL() << "it was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Code::unknown_name);
     EXPECT_THAT(error.remedy(), testing::HasSubstr("'energy'"));
   }
-  EXPECT_THROW(curves_of(example(), {"bola.q"}), Error);
-  EXPECT_THROW(curves_of(example(), {"nobody.x"}), Error);
+  EXPECT_THROW(curves_of(example_run(), {"bola.q"}), Error);
+  EXPECT_THROW(curves_of(example_run(), {"nobody.x"}), Error);
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.hpp"
 #include "base/state.hpp"
 #include "colisao/client.hpp"
 #include "egesp/server.hpp"
 #include "rpc/local_suite.hpp"
+#include "tests/error_of.hpp"
 
 namespace animado::colisao {
 namespace {
@@ -66,16 +66,6 @@ struct Server : ::testing::Test {
     Prepare::Request request;
     request.bodies = {ball("ball", mass_kg, 1)};
     return suite.channel("colisao").call<Prepare>(request);
-  }
-  template <class F>
-  static Error error_of(F&& call) {
-    try {
-      call();
-    } catch (const Error& error) {
-      return error;
-    }
-    ADD_FAILURE() << "nothing was refused";
-    return Error(Code::internal, "");
   }
 };
 

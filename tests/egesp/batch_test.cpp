@@ -12,8 +12,6 @@
 namespace animado::egesp {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-
 struct Systems {
   size_t count, n, m;
   bool interleaved;
@@ -50,13 +48,13 @@ class EveryInstructionSet : public testing::TestWithParam<std::tuple<Instruction
   PivotRule rule(double threshold = 0) const { return {std::get<1>(GetParam()), threshold}; }
 };
 
-constexpr const char* kNames[] = {"scalar", "sse2", "avx2", "avx512"};
 INSTANTIATE_TEST_SUITE_P(, EveryInstructionSet,
                          testing::Combine(testing::Values(InstructionSet::scalar, InstructionSet::sse2,
                                                           InstructionSet::avx2, InstructionSet::avx512),
                                           testing::Bool()),
                          [](const auto& tested) {
-                           return std::string(kNames[static_cast<size_t>(std::get<0>(tested.param))]) +
+                           return std::string(
+                                      kInstructionSetNames[static_cast<size_t>(std::get<0>(tested.param))]) +
                                   (std::get<1>(tested.param) ? "_complete" : "_partial");
                          });
 

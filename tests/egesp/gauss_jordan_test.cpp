@@ -14,8 +14,6 @@ using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::Pointwise;
 
-constexpr double kUnit = 0x1p-53;
-
 struct Solved {
   Elimination outcome;
   std::vector<double> x;

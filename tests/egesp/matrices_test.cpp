@@ -22,8 +22,6 @@
 namespace animado::egesp {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-
 struct Family {
   const char* name;
   Numbers (*matrix)(size_t n);

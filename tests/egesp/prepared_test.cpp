@@ -20,13 +20,13 @@ class PreparedSystems : public testing::TestWithParam<std::tuple<InstructionSet,
   PivotRule rule() const { return {std::get<1>(GetParam()), 0}; }
 };
 
-constexpr const char* kNames[] = {"scalar", "sse2", "avx2", "avx512"};
 INSTANTIATE_TEST_SUITE_P(, PreparedSystems,
                          testing::Combine(testing::Values(InstructionSet::scalar, InstructionSet::sse2,
                                                           InstructionSet::avx2, InstructionSet::avx512),
                                           testing::Bool()),
                          [](const auto& tested) {
-                           return std::string(kNames[static_cast<size_t>(std::get<0>(tested.param))]) +
+                           return std::string(
+                                      kInstructionSetNames[static_cast<size_t>(std::get<0>(tested.param))]) +
                                   (std::get<1>(tested.param) ? "_complete" : "_partial");
                          });
 

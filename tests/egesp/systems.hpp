@@ -11,6 +11,11 @@
 
 namespace animado::egesp {
 
+inline constexpr double kUnit = 0x1p-53;  // the relative error of one rounding
+
+// In the order of InstructionSet.
+inline constexpr const char* kInstructionSetNames[] = {"scalar", "sse2", "avx2", "avx512"};
+
 // The generator of the benchmark scenes: a 64-bit linear congruential one, the same on every machine.
 class Uniform {
  public:

@@ -82,7 +82,7 @@ TEST(Equations, OtherExpressionsReadTheSameNames) {
   EXPECT_THROW(value("x >= 5"), Error) << "a comparison does not cross zero";
 }
 
-struct Mistake {
+struct EquationMistake {
   const char* name;
   Texts texts;
   NamedValues constants, from;
@@ -90,29 +90,33 @@ struct Mistake {
   const char* where;
 };
 
-class RefusedEquations : public testing::TestWithParam<Mistake> {};
+class RefusedEquations : public testing::TestWithParam<EquationMistake> {};
 
 INSTANTIATE_TEST_SUITE_P(
     , RefusedEquations,
     testing::Values(
-        Mistake{"no_prime", {"x = 1"}, {}, {}, Code::syntax, "equations[0]"},
-        Mistake{"definition_of_an_unknown", {"x' = 1", "x = 2"}, {}, {}, Code::conflict, "equations[1]"},
-        Mistake{"defined_and_given", {"x' = k", "k = 2"}, {{"k", 1}}, {}, Code::conflict, "constants[0]"},
-        Mistake{"bad_definition", {"x' = 1", "f(x) = x +"}, {}, {}, Code::syntax, "equations[1]"},
-        Mistake{"unused_definition", {"x' = 1", "k = 2*w"}, {}, {}, Code::unknown_name, "equations[1]"},
-        Mistake{"need_each_other", {"x' = a", "a = b", "b = a"}, {}, {}, Code::cycle, "equations[1]"},
-        Mistake{"known_function", {"x' = 1", "sin(x) = x"}, {}, {}, Code::conflict, "equations[1]"},
-        Mistake{"no_equals", {"x' = 1", "y'"}, {}, {}, Code::syntax, "equations[1]"},
-        Mistake{"no_name", {"2x' = 1"}, {}, {}, Code::syntax, "equations[0]"},
-        Mistake{"reserved", {"t' = 1"}, {}, {}, Code::conflict, "equations[0]"},
-        Mistake{"unknown_twice", {"x' = 1", "X' = 2"}, {}, {}, Code::conflict, "equations[1]"},
-        Mistake{"constant_is_unknown", {"x' = 1"}, {{"x", 1}}, {}, Code::conflict, "constants[0]"},
-        Mistake{"bad_expression", {"x' = 1 +"}, {}, {}, Code::syntax, "equations[0]"},
-        Mistake{"undefined", {"x' = w"}, {}, {{"x", 1}}, Code::unknown_name, "equations[0]"},
-        Mistake{"vector", {"x' = (1, 2, 3)"}, {}, {}, Code::type, "equations[0]"},
-        Mistake{"no_start", {"x' = 1"}, {}, {}, Code::bad_params, "from"},
-        Mistake{"start_of_nothing", {"x' = 1"}, {}, {{"x", 1}, {"y", 1}}, Code::unknown_name, "from[1]"},
-        Mistake{"start_twice", {"x' = 1"}, {}, {{"x", 1}, {"x", 1}}, Code::conflict, "from[1]"}),
+        EquationMistake{"no_prime", {"x = 1"}, {}, {}, Code::syntax, "equations[0]"},
+        EquationMistake{
+            "definition_of_an_unknown", {"x' = 1", "x = 2"}, {}, {}, Code::conflict, "equations[1]"},
+        EquationMistake{
+            "defined_and_given", {"x' = k", "k = 2"}, {{"k", 1}}, {}, Code::conflict, "constants[0]"},
+        EquationMistake{"bad_definition", {"x' = 1", "f(x) = x +"}, {}, {}, Code::syntax, "equations[1]"},
+        EquationMistake{
+            "unused_definition", {"x' = 1", "k = 2*w"}, {}, {}, Code::unknown_name, "equations[1]"},
+        EquationMistake{"need_each_other", {"x' = a", "a = b", "b = a"}, {}, {}, Code::cycle, "equations[1]"},
+        EquationMistake{"known_function", {"x' = 1", "sin(x) = x"}, {}, {}, Code::conflict, "equations[1]"},
+        EquationMistake{"no_equals", {"x' = 1", "y'"}, {}, {}, Code::syntax, "equations[1]"},
+        EquationMistake{"no_name", {"2x' = 1"}, {}, {}, Code::syntax, "equations[0]"},
+        EquationMistake{"reserved", {"t' = 1"}, {}, {}, Code::conflict, "equations[0]"},
+        EquationMistake{"unknown_twice", {"x' = 1", "X' = 2"}, {}, {}, Code::conflict, "equations[1]"},
+        EquationMistake{"constant_is_unknown", {"x' = 1"}, {{"x", 1}}, {}, Code::conflict, "constants[0]"},
+        EquationMistake{"bad_expression", {"x' = 1 +"}, {}, {}, Code::syntax, "equations[0]"},
+        EquationMistake{"undefined", {"x' = w"}, {}, {{"x", 1}}, Code::unknown_name, "equations[0]"},
+        EquationMistake{"vector", {"x' = (1, 2, 3)"}, {}, {}, Code::type, "equations[0]"},
+        EquationMistake{"no_start", {"x' = 1"}, {}, {}, Code::bad_params, "from"},
+        EquationMistake{
+            "start_of_nothing", {"x' = 1"}, {}, {{"x", 1}, {"y", 1}}, Code::unknown_name, "from[1]"},
+        EquationMistake{"start_twice", {"x' = 1"}, {}, {{"x", 1}, {"x", 1}}, Code::conflict, "from[1]"}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST_P(RefusedEquations, SayWhatIsWrongAndWhere) {

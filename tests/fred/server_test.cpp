@@ -95,50 +95,54 @@ TEST(FredServer, IntegratesExpressions) {
   }
 }
 
-struct Mistake {
+struct IntegrationMistake {
   const char* name;
   std::function<void(Integrate::Request&)> make;
   Code code;
 };
 
-class WrongIntegrations : public testing::TestWithParam<Mistake> {};
+class WrongIntegrations : public testing::TestWithParam<IntegrationMistake> {};
 
 INSTANTIATE_TEST_SUITE_P(
     , WrongIntegrations,
     testing::Values(
-        Mistake{"no_equations", [](auto& r) { r.equations.clear(); }, Code::bad_params},
-        Mistake{"unknown_method", [](auto& r) { r.method = "rk5"; }, Code::unknown_name},
-        Mistake{"negative_step", [](auto& r) { r.step = -1; }, Code::bad_params},
-        Mistake{"nan_step", [](auto& r) { r.step = std::nan(""); }, Code::not_finite},
-        Mistake{"infinite_end", [](auto& r) { r.t1 = HUGE_VAL; }, Code::not_finite},
-        Mistake{"overflowing_interval", [](auto& r) { r.t0 = -1.7e308, r.t1 = 1.7e308; }, Code::not_finite},
-        Mistake{"nan_start", [](auto& r) { r.from[0].value = std::nan(""); }, Code::not_finite},
-        Mistake{"infinite_constant", [](auto& r) { r.constants[0].value = -HUGE_VAL; }, Code::not_finite},
-        Mistake{"endless", [](auto& r) { r.step = 1e-300; }, Code::limit},
-        Mistake{"too_many_samples", [](auto& r) { r.samples = int64_t{1} << 62; }, Code::limit},
-        Mistake{"negative_samples", [](auto& r) { r.samples = -1; }, Code::limit},
-        Mistake{"tolerance_of_rk4", [](auto& r) { r.method = "rk4", r.tolerance = 1e-6; }, Code::bad_params},
-        Mistake{"negative_tolerance", [](auto& r) { r.tolerance = -1e-6; }, Code::bad_params},
-        Mistake{"three_tolerances",
-                [](auto& r) {
-                  r.absolute_tolerance = {1, 1, 1};
-                },
-                Code::bad_params},
-        Mistake{"time_outside",
-                [](auto& r) {
-                  r.times = {1, 3};
-                },
-                Code::bad_params},
-        Mistake{"times_out_of_order",
-                [](auto& r) {
-                  r.times = {1, 0.5};
-                },
-                Code::bad_params},
-        Mistake{"event_of_nothing", [](auto& r) { r.events = {{"w"}}; }, Code::unknown_name},
-        Mistake{"comparison_as_event", [](auto& r) { r.events = {{"x > 1"}}; }, Code::type},
-        Mistake{"strange_checkpoint", [](auto& r) { r.resume.emplace(); }, Code::bad_params},
-        Mistake{"pole", [](auto& r) { r.equations[0] = "x' = 1/(t - 1)^2 * x^2"; }, Code::diverged},
-        Mistake{"caret", [](auto& r) { r.equations[0] = "x' = v +* 2"; }, Code::syntax}),
+        IntegrationMistake{"no_equations", [](auto& r) { r.equations.clear(); }, Code::bad_params},
+        IntegrationMistake{"unknown_method", [](auto& r) { r.method = "rk5"; }, Code::unknown_name},
+        IntegrationMistake{"negative_step", [](auto& r) { r.step = -1; }, Code::bad_params},
+        IntegrationMistake{"nan_step", [](auto& r) { r.step = std::nan(""); }, Code::not_finite},
+        IntegrationMistake{"infinite_end", [](auto& r) { r.t1 = HUGE_VAL; }, Code::not_finite},
+        IntegrationMistake{"overflowing_interval", [](auto& r) { r.t0 = -1.7e308, r.t1 = 1.7e308; },
+                           Code::not_finite},
+        IntegrationMistake{"nan_start", [](auto& r) { r.from[0].value = std::nan(""); }, Code::not_finite},
+        IntegrationMistake{"infinite_constant", [](auto& r) { r.constants[0].value = -HUGE_VAL; },
+                           Code::not_finite},
+        IntegrationMistake{"endless", [](auto& r) { r.step = 1e-300; }, Code::limit},
+        IntegrationMistake{"too_many_samples", [](auto& r) { r.samples = int64_t{1} << 62; }, Code::limit},
+        IntegrationMistake{"negative_samples", [](auto& r) { r.samples = -1; }, Code::limit},
+        IntegrationMistake{"tolerance_of_rk4", [](auto& r) { r.method = "rk4", r.tolerance = 1e-6; },
+                           Code::bad_params},
+        IntegrationMistake{"negative_tolerance", [](auto& r) { r.tolerance = -1e-6; }, Code::bad_params},
+        IntegrationMistake{"three_tolerances",
+                           [](auto& r) {
+                             r.absolute_tolerance = {1, 1, 1};
+                           },
+                           Code::bad_params},
+        IntegrationMistake{"time_outside",
+                           [](auto& r) {
+                             r.times = {1, 3};
+                           },
+                           Code::bad_params},
+        IntegrationMistake{"times_out_of_order",
+                           [](auto& r) {
+                             r.times = {1, 0.5};
+                           },
+                           Code::bad_params},
+        IntegrationMistake{"event_of_nothing", [](auto& r) { r.events = {{"w"}}; }, Code::unknown_name},
+        IntegrationMistake{"comparison_as_event", [](auto& r) { r.events = {{"x > 1"}}; }, Code::type},
+        IntegrationMistake{"strange_checkpoint", [](auto& r) { r.resume.emplace(); }, Code::bad_params},
+        IntegrationMistake{"pole", [](auto& r) { r.equations[0] = "x' = 1/(t - 1)^2 * x^2"; },
+                           Code::diverged},
+        IntegrationMistake{"caret", [](auto& r) { r.equations[0] = "x' = v +* 2"; }, Code::syntax}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST_P(WrongIntegrations, AreRefusedWithARemedy) {

@@ -21,7 +21,7 @@ MapScope example_scope() {
   return scope;
 }
 
-struct ErrorCase {
+struct CompileError {
   std::string_view text;
   Code code;
   size_t column;
@@ -29,7 +29,7 @@ struct ErrorCase {
 };
 
 TEST(Compile, RefusesWithPlaceAndRemedy) {
-  const ErrorCase cases[] = {
+  const CompileError cases[] = {
       // syntax
       {"", Code::syntax, 0, "missing", ""},
       {"   ", Code::syntax, 0, "missing", ""},
@@ -113,7 +113,7 @@ TEST(Compile, RefusesWithPlaceAndRemedy) {
   };
   EXPECT_GE(std::size(cases), 40u);
   const MapScope scope = example_scope();
-  for (const ErrorCase& expected : cases) {
+  for (const CompileError& expected : cases) {
     try {
       compile(expected.text, scope, "scene:3:5");
       ADD_FAILURE() << expected.text << " was accepted";

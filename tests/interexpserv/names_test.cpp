@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/error_of.hpp"
+
 namespace animado::interexpserv {
 namespace {
 
@@ -31,17 +33,6 @@ std::vector<std::string> remove(Names& names, std::vector<std::string> which) {
 
 double number(const Names& names, std::string_view name) {
   return names.value(name, no_numbers).v[0];
-}
-
-template <class F>
-Error error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {Code::internal, ""};
 }
 
 Names spring() {

@@ -8,8 +8,6 @@
 namespace animado::interexpserv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Case {
   std::string_view text;
   double value;
@@ -76,7 +74,7 @@ TEST(Program, RatesAreDerivatives) {
       {"dot((t, 1, 2), (1, t, t))", 4},
       {"cross((t, 0, 0), (0, t, 0)).z", 2 * t},
       {"normalize((t, t, 0)).x", 0},
-      {"90 deg*t", kPi / 2},
+      {"90 deg*t", std::numbers::pi / 2},
       {"sqrt(0*t)", 0},
       {"hypot(0*t, 0*t)", 0},
       {"(-2)^2*t", 4},

@@ -9,23 +9,13 @@
 #include "interexpserv/client.hpp"
 #include "rpc/local_suite.hpp"
 #include "rpc/manual_page.hpp"
+#include "tests/error_of.hpp"
 
 namespace animado::interexpserv {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-template <class F>
-Error error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {Code::internal, ""};
-}
 
 std::vector<std::string> names_of(const std::vector<NameState>& states) {
   std::vector<std::string> names;

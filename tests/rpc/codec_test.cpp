@@ -31,7 +31,7 @@ std::string packed(const Echo::Request& request) {
   return bytes;
 }
 
-Echo::Request read(std::string_view bytes, Numbers numbers = Numbers::finite) {
+Echo::Request decoded(std::string_view bytes, Numbers numbers = Numbers::finite) {
   Echo::Request request;
   Decoder in(bytes, numbers);
   unpack(echo(), in, &request, "echo");
@@ -51,7 +51,7 @@ Error refusal(std::string_view json) {
 
 TEST(Codec, EveryKindOfFieldComesBackAsItWent) {
   const Echo::Request sent = full_request();
-  const Echo::Request got = read(packed(sent));
+  const Echo::Request got = decoded(packed(sent));
   EXPECT_EQ(got.flag, sent.flag);
   EXPECT_EQ(got.count, sent.count);
   EXPECT_EQ(got.ratio, sent.ratio);
@@ -73,7 +73,7 @@ TEST(Codec, IntegersOfEverySizeComeBack) {
        {0l, -1l, -32l, -33l, 127l, 128l, 255l, 65536l, -129l, -40000l, 1l << 40, INT64_MAX, INT64_MIN}) {
     Echo::Request request;
     request.count = value;
-    EXPECT_EQ(read(packed(request)).count, value);
+    EXPECT_EQ(decoded(packed(request)).count, value);
   }
 }
 
@@ -81,7 +81,8 @@ TEST(Codec, NumbersKeepTheirBits) {
   for (double value : {-0.0, 2.0, 1e300, 5e-324, -1.0 / 3}) {
     Echo::Request request;
     request.ratio = value;
-    EXPECT_EQ(std::bit_cast<uint64_t>(read(packed(request)).ratio), std::bit_cast<uint64_t>(value)) << value;
+    EXPECT_EQ(std::bit_cast<uint64_t>(decoded(packed(request)).ratio), std::bit_cast<uint64_t>(value))
+        << value;
   }
 }
 
@@ -161,13 +162,13 @@ TEST(Codec, ImpossibleShapesAreRefused) {
 TEST(Codec, NotANumberIsRefusedInRequestsAndNamed) {
   Echo::Request request = full_request();
   request.array.values[2] = kNaN;
-  const Error in_array = error_of([&] { read(packed(request)); });
+  const Error in_array = error_of([&] { decoded(packed(request)); });
   EXPECT_EQ(in_array.code(), Code::not_finite);
   EXPECT_EQ(in_array.where(), "echo.array.data[2]");
-  EXPECT_TRUE(std::isnan(read(packed(request), Numbers::any).array.values[2])) << "a reply may say so";
+  EXPECT_TRUE(std::isnan(decoded(packed(request), Numbers::any).array.values[2])) << "a reply may say so";
   request = full_request();
   request.maybe = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(error_of([&] { read(packed(request)); }).where(), "echo.maybe");
+  EXPECT_EQ(error_of([&] { decoded(packed(request)); }).where(), "echo.maybe");
 }
 
 TEST(Codec, AMessageCutAnywhereIsRefused) {
@@ -180,7 +181,7 @@ TEST(Codec, AMessageCutAnywhereIsRefused) {
 }
 
 TEST(Codec, AFieldGivenTwiceIsRefused) {
-  EXPECT_EQ(error_of([&] { read("\x82\xa5"s + "count\x01\xa5" + "count\x02"); }).code(), Code::bad_params);
+  EXPECT_EQ(error_of([&] { decoded("\x82\xa5"s + "count\x01\xa5" + "count\x02"); }).code(), Code::bad_params);
 }
 
 TEST(Codec, MarksTravelBesideTheFields) {

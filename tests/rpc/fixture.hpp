@@ -15,6 +15,7 @@
 #include "rpc/registration.hpp"
 #include "rpc/server.hpp"
 #include "rpc/socket_suite.hpp"
+#include "tests/error_of.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace animado::rpc::testing {
@@ -246,17 +247,5 @@ class SocketTest : public ::testing::Test {
 
   TemporaryDirectory directory_;
 };
-
-// The code of the Error that `action` throws; fails the test when it throws none.
-template <class F>
-Error error_of(F action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no error";
-  return {Code::internal, "no error"};
-}
 
 }  // namespace animado::rpc::testing

@@ -137,7 +137,7 @@ TEST_F(ServerTest, ClientsAreServedSideBySide) {
   }
 }
 
-// On one core a server does not look before it sleeps, nor does it hand the core to who waits.
+// On one core a server does not look before it sleeps.
 class OneCoreServerTest : public SocketTest {
  protected:
   OneCore core_;

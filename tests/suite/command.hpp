@@ -20,6 +20,7 @@ struct Outcome {
 
 using Words = std::vector<std::string>;
 
+inline const std::filesystem::path kSource = ANIMADO_SOURCE_DIR;
 inline const std::filesystem::path kAnimado = ANIMADO_BIN_DIR "/animado";
 
 // A command that is going on, in a directory of its own. Ended with this object.

@@ -13,8 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const fs::path kSource = ANIMADO_SOURCE_DIR;
-
 // Away from whatever suite this machine runs, which may be about to end.
 class IntegrateCommand : public testing::Test {
  protected:

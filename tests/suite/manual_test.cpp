@@ -14,7 +14,6 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 
 const fs::path kPrograms = ANIMADO_BIN_DIR;
-const fs::path kSource = ANIMADO_SOURCE_DIR;
 const Words kDaemons = {"interexpserv", "egesp", "fred", "colisao", "controle"};
 
 bool is_installed(const std::string& program) {

@@ -11,8 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = ANIMADO_SOURCE_DIR;
-
 TEST(Readme, ShowsTheExampleInPythonAsItIs) {
   const auto shown = blocks(kSource / "README.md", "python");
   ASSERT_EQ(shown.size(), 1u);

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kScene = R"(
+constexpr auto kSpringScene = R"(
 world
 gravity (0, -9.81, 0)
 object ball
@@ -24,7 +24,7 @@ step 0.1
 
 class Replays : public testing::Test {
  protected:
-  Replays() { write_text(directory_ / "scene.animado", kScene); }
+  Replays() { write_text(directory_ / "scene.animado", kSpringScene); }
 
   // Runs the scene and gives the ball another force as soon as some frames are there, and once more.
   Outcome run_edited() {

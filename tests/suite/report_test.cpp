@@ -10,12 +10,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string kScene = ANIMADO_SOURCE_DIR "/scenes/bouncing_ball.animado";
+const std::string kBouncingBall = ANIMADO_SOURCE_DIR "/scenes/bouncing_ball.animado";
 
 class Report : public testing::Test {
  protected:
   Outcome run(const Words& options = {}) {
-    Words words = {"run", kScene, "--in-process", "--quiet", "--out", results};
+    Words words = {"run", kBouncingBall, "--in-process", "--quiet", "--out", results};
     words.insert(words.end(), options.begin(), options.end());
     return animado(words);
   }

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 // Two spinning boxes that meet between walls again and again: every service has work at every step.
-constexpr auto kScene = R"(
+constexpr auto kBusyScene = R"(
 world
 gravity (0, -9.81, 0)
 substep 0.002
@@ -41,7 +41,7 @@ constexpr uintmax_t kSomeWork = 20'000;  // bytes of log: some 200 of the run's 
 
 class Supervision : public testing::Test {
  protected:
-  Supervision() { write_text(directory_ / "scene.animado", kScene); }
+  Supervision() { write_text(directory_ / "scene.animado", kBusyScene); }
 
   fs::path partial(const Command& command) const {
     return directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());
@@ -106,7 +106,7 @@ class Supervision : public testing::Test {
 class Restarts : public Supervision, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Restarts, AKilledServiceComesBackAndTheResultIsTheSameToTheLastBit) {
-  std::string scene = kScene;
+  std::string scene = kBusyScene;
   const std::string_view steps = "substep 0.002";
   scene.replace(scene.find(steps), steps.size(), GetParam());
   write_text(directory_ / "scene.animado", scene);

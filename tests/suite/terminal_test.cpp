@@ -11,8 +11,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::filesystem::path kSource = ANIMADO_SOURCE_DIR;
-
 class Terminal : public testing::Test {
  protected:
   // What the command writes to a terminal, by script(1).

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "controle/results/json_vector.hpp"
 
 namespace animado::controle {
 namespace {
@@ -15,27 +15,23 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kMotions = {"dynamic", "static", "kinematic"};
 
-Json json_of(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 Vec3 vector_of(const Json& json) {
   return Vec3(json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>());
 }
 
 struct ShapeWriter {
   Json operator()(const Sphere& s) const { return {{"kind", "sphere"}, {"radius_m", s.radius_m}}; }
-  Json operator()(const Box& s) const { return {{"kind", "box"}, {"size_m", json_of(2 * s.half_m)}}; }
+  Json operator()(const Box& s) const { return {{"kind", "box"}, {"size_m", json_vector(2 * s.half_m)}}; }
   Json operator()(const Capsule& s) const { return round("capsule", s.radius_m, 2 * s.half_height_m); }
   Json operator()(const Cylinder& s) const { return round("cylinder", s.radius_m, 2 * s.half_height_m); }
   Json operator()(const Cone& s) const { return round("cone", s.radius_m, s.height_m); }
   Json operator()(const Hull& s) const {
     Json vertices = Json::array();
-    for (const Vec3& v : s.vertices_m) vertices.push_back(json_of(v));
+    for (const Vec3& v : s.vertices_m) vertices.push_back(json_vector(v));
     return {{"kind", "hull"}, {"vertices_m", vertices}, {"faces", s.faces}};
   }
   Json operator()(const HalfSpace& s) const {
-    return {{"kind", "plane"}, {"normal", json_of(s.normal)}, {"offset_m", s.offset_m}};
+    return {{"kind", "plane"}, {"normal", json_vector(s.normal)}, {"offset_m", s.offset_m}};
   }
   static Json round(const char* kind, double radius_m, double height_m) {
     return {{"kind", kind}, {"radius_m", radius_m}, {"height_m", height_m}};
@@ -85,7 +81,7 @@ std::string bodies_text(const std::vector<RecordedBody>& bodies) {
     const Json json = {{"name", body.name},
                        {"motion", kMotions[static_cast<size_t>(body.motion)]},
                        {"mass_kg", body.mass_kg},
-                       {"color", json_of(body.color_srgb)},
+                       {"color", json_vector(body.color_srgb)},
                        {"shape", std::visit(ShapeWriter(), body.shape)}};
     text += (i == 0 ? "\n" : ",\n") + json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }

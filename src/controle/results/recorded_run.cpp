@@ -14,7 +14,7 @@
 namespace animado::controle {
 namespace {
 
-using Json = nlohmann::json;
+using EventLine = nlohmann::json;
 
 constexpr auto kRemedy = "simulate the scene again: animado run SCENE";
 
@@ -56,14 +56,14 @@ void read_facts(const std::filesystem::path& file, RecordedRun& run) {
                 file.string(), kRemedy);
 }
 
-std::optional<Vec3> vector_in(const Json& line, const char* key) {
+std::optional<Vec3> vector_in(const EventLine& line, const char* key) {
   if (!line.contains(key)) return std::nullopt;
-  const Json& v = line.at(key);
+  const EventLine& v = line.at(key);
   return Vec3(v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>());
 }
 
 template <class T>
-std::optional<T> value_in(const Json& line, const char* key) {
+std::optional<T> value_in(const EventLine& line, const char* key) {
   return line.contains(key) ? std::optional(line.at(key).get<T>()) : std::nullopt;
 }
 
@@ -74,7 +74,7 @@ EventKind kind_named(const std::string& name) {
   return static_cast<EventKind>(found - kEventKinds.begin());
 }
 
-Event event_of(const Json& line) {
+Event event_of(const EventLine& line) {
   return {.time_s = line.at("time_s"),
           .kind = kind_named(line.at("kind")),
           .bodies = line.at("bodies").get<std::vector<std::string>>(),
@@ -96,8 +96,8 @@ std::vector<Event> read_events(const std::filesystem::path& file) {
   for (const std::string_view line : split(text, "\n")) {
     const std::string where = fmt::format("{}:{}", file.string(), ++number);
     try {
-      events.push_back(event_of(Json::parse(line)));
-    } catch (const Json::exception& error) {
+      events.push_back(event_of(EventLine::parse(line)));
+    } catch (const EventLine::exception& error) {
       throw Error(Code::syntax, fmt::format("this is not an event: {}", error.what()), where, kRemedy);
     } catch (const Error& error) {
       throw Error(error.code(), error.message(), where, kRemedy);

@@ -1,9 +1,9 @@
 #include "controle/results/summary_json.hpp"
 
 #include <cassert>
-#include <nlohmann/json.hpp>
 
 #include "base/hash.hpp"
+#include "controle/results/json_vector.hpp"
 #include "controle/results/output_file.hpp"
 
 namespace animado::controle {
@@ -11,12 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 Json json_of(const Momentum& momentum) {
-  return {{"linear", json_of(momentum.linear_kg_m_s)}, {"angular", json_of(momentum.angular_kg_m2_s)}};
+  return {{"linear", json_vector(momentum.linear_kg_m_s)},
+          {"angular", json_vector(momentum.angular_kg_m2_s)}};
 }
 
 Json json_of(const EnergyLedger& energy) {

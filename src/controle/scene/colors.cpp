@@ -5,13 +5,13 @@
 namespace animado::controle {
 namespace {
 
-struct Named {
+struct NamedColor {
   std::string_view name;
   unsigned rgb;
 };
 
 // W3C, CSS Color Module Level 4, section 6.1.
-constexpr std::array<Named, 148> kNamed = {{
+constexpr std::array<NamedColor, 148> kNamed = {{
     {"aliceblue", 0xf0f8ff},
     {"antiquewhite", 0xfaebd7},
     {"aqua", 0x00ffff},

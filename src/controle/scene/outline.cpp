@@ -19,8 +19,8 @@
 namespace animado::controle {
 namespace {
 
-constexpr std::array<std::string_view, 2> kObject = {"object", "objeto"}, kWorld = {"world", "mundo"},
-                                          kTime = {"time", "tempo"};
+constexpr std::array<std::string_view, 2> kObjectWords = {"object", "objeto"},
+                                          kWorldWords = {"world", "mundo"}, kTimeWords = {"time", "tempo"};
 constexpr std::array<std::string_view, 2> kInvolved = {"objetos envolvidos", "objects involved"};
 constexpr std::array<std::string_view, 8> kAbout = {
     "caracteristicas do",     "caracteristicas da", "condicoes iniciais do",     "condicoes iniciais da",
@@ -45,9 +45,9 @@ bool is_any(std::string_view word, const std::array<std::string_view, N>& words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-class Reader {
+class OutlineReader {
  public:
-  explicit Reader(const std::string& path) { outline_.path = path; }
+  explicit OutlineReader(const std::string& path) { outline_.path = path; }
 
   Outline run(std::string_view text) {
     const std::vector<Line> lines = lines_of(text, outline_.path);
@@ -70,13 +70,13 @@ class Reader {
     const std::string_view text = std::string_view(line.folded()).substr(line.heading());
     if (const size_t length = match_any(text, kInvolved)) return read_involved(line, line.heading() + length);
     const std::string_view bare = text.substr(0, text.find_last_not_of(" \t#") + 1);
-    if (is_any(bare, kWorld)) return open(Block::world, line.place(line.heading()));
-    if (is_any(bare, kTime) || is_any(bare, kTimeHeadings))
+    if (is_any(bare, kWorldWords)) return open(Block::world, line.place(line.heading()));
+    if (is_any(bare, kTimeWords) || is_any(bare, kTimeHeadings))
       return open(Block::time, line.place(line.heading()));
     if (const size_t length = match_any(text, kAbout)) {
       const size_t begin = line.skip_blanks(line.heading() + length);
       const std::string name = read_name(line, begin);
-      if (is_any(name, kWorld)) return open(Block::world, line.place(begin));
+      if (is_any(name, kWorldWords)) return open(Block::world, line.place(begin));
       if (involved_ && !find_object(name)) refuse_uninvolved(line.place(begin), name);
       open_object(line, begin);
       refuse_rest(line, line.end_of_word(begin), "the object's name");
@@ -110,7 +110,7 @@ class Reader {
     const std::string& folded = line.folded();
     const size_t end = line.end_of_word(at);
     const std::string_view word = std::string_view(folded).substr(at, end - at);
-    if (is_any(word, kObject)) {
+    if (is_any(word, kObjectWords)) {
       const size_t name = line.skip_blanks(end);
       open_object(line, name);
       refuse_rest(line, line.end_of_word(name), "the object's name");
@@ -118,8 +118,8 @@ class Reader {
     }
     const size_t after = line.skip_blanks(end);
     const bool alone = after == folded.size() || (folded[after] == ':' && after + 1 == folded.size());
-    if (!alone || (!is_any(word, kWorld) && !is_any(word, kTime))) return false;
-    open(is_any(word, kWorld) ? Block::world : Block::time, line.place(at));
+    if (!alone || (!is_any(word, kWorldWords) && !is_any(word, kTimeWords))) return false;
+    open(is_any(word, kWorldWords) ? Block::world : Block::time, line.place(at));
     return true;
   }
 
@@ -150,7 +150,7 @@ class Reader {
     }
     std::string name = line.folded().substr(at, end - at);
     const bool block_word =
-        (is_any(name, kWorld) && line.heading() == line.folded().size()) || is_any(name, kTime);
+        (is_any(name, kWorldWords) && line.heading() == line.folded().size()) || is_any(name, kTimeWords);
     if (block_word || interexpserv::is_reserved(name)) {
       refuse(outline_.path, line.place(at), Code::conflict,
              fmt::format("`{}` is a word of the language", name), "choose another name for the object");
@@ -218,7 +218,7 @@ class Reader {
              fmt::format("`{}` is a property, not a name to define", prefix),
              fmt::format("write the whole value: {} (x, y, z)", prefix));
     }
-    if (interexpserv::is_reserved(prefix) || is_any(prefix, kWorld) || is_any(prefix, kTime)) {
+    if (interexpserv::is_reserved(prefix) || is_any(prefix, kWorldWords) || is_any(prefix, kTimeWords)) {
       refuse(outline_.path, place, Code::conflict, fmt::format("`{}` is a word of the language", prefix),
              "begin the name differently");
     }
@@ -336,7 +336,7 @@ class Reader {
            : block_ == Block::world ? outline_.world
                                     : outline_.time;
   }
-  const Section& here() const { return const_cast<Reader*>(this)->here(); }
+  const Section& here() const { return const_cast<OutlineReader*>(this)->here(); }
 
   std::optional<size_t> find_object(const std::string& folded) const {
     const auto found = index_.find(folded);
@@ -367,7 +367,7 @@ std::vector<std::string> Outline::object_names() const {
 }
 
 Outline read_outline(std::string_view text, const std::string& path) {
-  return Reader(path).run(text);
+  return OutlineReader(path).run(text);
 }
 
 }  // namespace animado::controle

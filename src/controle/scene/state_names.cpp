@@ -5,20 +5,20 @@
 namespace animado::controle {
 namespace {
 
-struct Named {
+struct NamedMember {
   std::string_view name;
   Member member;
 };
-constexpr std::array<Named, 10> kMembers = {{{"position", Member::position},
-                                             {"orientation.qw", Member::qw},
-                                             {"orientation.qx", Member::qx},
-                                             {"orientation.qy", Member::qy},
-                                             {"orientation.qz", Member::qz},
-                                             {"velocity", Member::velocity},
-                                             {"angular_velocity", Member::angular_velocity},
-                                             {"mass", Member::mass},
-                                             {"force", Member::force},
-                                             {"local_force", Member::local_force}}};
+constexpr std::array<NamedMember, 10> kMembers = {{{"position", Member::position},
+                                                   {"orientation.qw", Member::qw},
+                                                   {"orientation.qx", Member::qx},
+                                                   {"orientation.qy", Member::qy},
+                                                   {"orientation.qz", Member::qz},
+                                                   {"velocity", Member::velocity},
+                                                   {"angular_velocity", Member::angular_velocity},
+                                                   {"mass", Member::mass},
+                                                   {"force", Member::force},
+                                                   {"local_force", Member::local_force}}};
 
 }  // namespace
 

@@ -16,8 +16,6 @@
 namespace animado::controle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // A ball that turns about y and moves along x, over a floor.
 class ScriptedMotion {
  public:
@@ -94,7 +92,7 @@ TEST(AnimationGlb, StartsAtZeroWithAKeyAFrame) {
 }
 
 TEST(AnimationGlb, RotationsAreXyzw) {
-  const ScriptedMotion motion(kPi / 2);
+  const ScriptedMotion motion(std::numbers::pi / 2);
   const auto [times, turns] = motion.keys(2, "rotation");
   ASSERT_EQ(turns.size(), 16u);
   const auto half = static_cast<float>(std::sqrt(0.5));
@@ -176,7 +174,8 @@ class WithPhysics : public testing::Test {
                            "multiply");
     std::vector<double> state(3 * kStateRows);
     BodyState cone;
-    cone.pose.orientation = orientation_of({0, 0, kPi / 2}, {0, 1, 2});  // its x is the world's y
+    cone.pose.orientation =
+        orientation_of({0, 0, std::numbers::pi / 2}, {0, 1, 2});  // its x is the world's y
     cone.velocity_m_s = {0, 5, 0};
     cone.angular_velocity_body_rad_s = {0, 2, 0};
     for (size_t i = 0; i < 3; ++i) store_body(state.data(), 3, i, i == 0 ? cone : BodyState());

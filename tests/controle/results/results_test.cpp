@@ -12,7 +12,7 @@
 namespace animado::controle {
 namespace {
 
-const std::vector<ResultBody> kBodies = {
+const std::vector<ResultBody> kTwoBodies = {
     {.name = "esfera", .shape = Sphere{1}},
     {.name = "cubo", .shape = Box{{0.5, 0.5, 0.5}}, .rotation_order = {2, 1, 0}}};
 
@@ -24,7 +24,7 @@ std::vector<double> state_at_rest() {
 
 TEST(Results, WritesTheFilesOfTheContract) {
   const TemporaryDirectory directory;
-  Results results(directory.path(), kBodies, "# a scene\n");
+  Results results(directory.path(), kTwoBodies, "# a scene\n");
   results.frame({.time_s = 0}, state_at_rest());
   results.event({.time_s = 0.1, .kind = EventKind::impact, .bodies = {"esfera", "cubo"}});
   results.frame({.time_s = 0.3}, state_at_rest());
@@ -42,14 +42,14 @@ TEST(Results, WritesTheFilesOfTheContract) {
 
 TEST(Results, EventsAreReadableWhileTheRunGoes) {
   const TemporaryDirectory directory;
-  Results results(directory.path(), kBodies, "# a scene\n");
+  Results results(directory.path(), kTwoBodies, "# a scene\n");
   results.event({.time_s = 0.1, .kind = EventKind::impact});
   results.frame({.time_s = 0.3}, state_at_rest());
   EXPECT_NE(text_of(directory.path() / "events.jsonl").find("impact"), std::string::npos);
 }
 
 TEST(Results, AMissingDirectoryIsAnError) {
-  EXPECT_THROW(Results("/no/such/directory", kBodies, ""), Error);
+  EXPECT_THROW(Results("/no/such/directory", kTwoBodies, ""), Error);
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace animado::controle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // 48 sides around and 48 on a meridian lose 1 − sin(2π/48)/(2π/48) = 0.29 % of a circle's area, and of a
 // sphere less than thrice that.
 constexpr double kPolygonLoss = 0.009;
@@ -35,11 +33,11 @@ Hull brick() {  // faces of four corners
 }
 
 const Case kCases[] = {
-    {"sphere", Sphere{2}, 4.0 / 3 * kPi * 8, kPolygonLoss},
+    {"sphere", Sphere{2}, 4.0 / 3 * std::numbers::pi * 8, kPolygonLoss},
     {"box", Box{{1, 2, 3}}, 48, 0},
-    {"capsule", Capsule{1, 2}, 4.0 / 3 * kPi + kPi * 4, kPolygonLoss},
-    {"cylinder", Cylinder{1, 2}, kPi * 4, kPolygonLoss},
-    {"cone", Cone{1, 3}, kPi, kPolygonLoss},
+    {"capsule", Capsule{1, 2}, 4.0 / 3 * std::numbers::pi + std::numbers::pi * 4, kPolygonLoss},
+    {"cylinder", Cylinder{1, 2}, std::numbers::pi * 4, kPolygonLoss},
+    {"cone", Cone{1, 3}, std::numbers::pi, kPolygonLoss},
     {"tetrahedron", tetrahedron(), 1.0 / 6, 0, {0.25, 0.25, 0.25}},
     {"brick", brick(), 6, 0, {0.5, 1, 1.5}},
 };

@@ -11,7 +11,7 @@ namespace {
 using interexpserv::Program;
 using interexpserv::Type;
 
-Scene scene_of(const std::string& text) {
+Scene scene_for_a_second(const std::string& text) {
   return parse_scene(text + "\ntime\n end 1\n step 0.1\n");
 }
 
@@ -32,7 +32,7 @@ Vec3 value(const SceneScope& scope, const Program& program, const Quat& q) {
 }
 
 TEST(SceneScope, ForceIsTheSumOfItsLinesInTheWorld) {
-  const Scene scene = scene_of(
+  const Scene scene = scene_for_a_second(
       "object ball\n mass 3\n force (0, -9.81*mass, 0)\n force (t, 0, 0)\n local force (0, 0, 5)\n torque "
       "cross((1,0,0), force)");
   const SceneScope scope(scene);
@@ -42,7 +42,7 @@ TEST(SceneScope, ForceIsTheSumOfItsLinesInTheWorld) {
 }
 
 TEST(SceneScope, PrefixMayBeLeftOutInTheOwnBlock) {
-  const Scene scene = scene_of("object ball\n mass 3\nobject cube\n mass 5");
+  const Scene scene = scene_for_a_second("object ball\n mass 3\nobject cube\n mass 5");
   const SceneScope scope(scene);
   EXPECT_EQ(scope.compile({"mass", {}, 0}).constant().v[0], 3);
   EXPECT_EQ(scope.compile({"mass", {}, 1}).constant().v[0], 5);
@@ -51,14 +51,14 @@ TEST(SceneScope, PrefixMayBeLeftOutInTheOwnBlock) {
 }
 
 TEST(SceneScope, DefinitionsReadTheBlockTheyStandIn) {
-  const Scene scene = scene_of(
+  const Scene scene = scene_for_a_second(
       "object ball\n mass 3\n pull.down = -9.81 * mass\nobject cube\n mass 5\n force (0, pull.down, 0)");
   const SceneScope scope(scene);
   EXPECT_DOUBLE_EQ(scope.compile(scene.bodies[1].forces[0], Type::vector).constant().v[1], -29.43);
 }
 
 TEST(SceneScope, FunctionsAndUnitsOfTheScene) {
-  const Scene scene = scene_of(
+  const Scene scene = scene_for_a_second(
       "f(x, y) = x^2 + mix.weight(y)\nobject ball\n mass 300 g\n mix.weight(z) = z*mass\n position (10 cm, "
       "0, 2 km)\n"
       " force (0, f(2, 10), 0)");
@@ -66,13 +66,13 @@ TEST(SceneScope, FunctionsAndUnitsOfTheScene) {
   EXPECT_EQ(scene.bodies[0].position_m, Vec3(0.1, 0, 2000));
   const SceneScope scope(scene);
   EXPECT_DOUBLE_EQ(scope.compile(scene.bodies[0].forces[0], Type::vector).constant().v[1], 7);
-  EXPECT_THROW(scene_of("f(x) = f(x - 1)\nobject ball\n mass 1"), Error);
-  EXPECT_THROW(scene_of("sin(x) = x\nobject ball\n mass 1"), Error);
-  EXPECT_THROW(scene_of("object ball\n mass 1\n position (1 m + 2 s, 0, 0)"), Error);
+  EXPECT_THROW(scene_for_a_second("f(x) = f(x - 1)\nobject ball\n mass 1"), Error);
+  EXPECT_THROW(scene_for_a_second("sin(x) = x\nobject ball\n mass 1"), Error);
+  EXPECT_THROW(scene_for_a_second("object ball\n mass 1\n position (1 m + 2 s, 0, 0)"), Error);
 }
 
 TEST(SceneScope, DefinitionsMeanTheSameOutsideTheirBlock) {
-  const Scene scene = scene_of(
+  const Scene scene = scene_for_a_second(
       "object ball\n mass 3\n pull.k = 2\n pull.down = (Mass + sin(position.x) * pull.k) * velocity - "
       "ball.position");
   EXPECT_EQ(scene.names[1].value.text,
@@ -81,7 +81,7 @@ TEST(SceneScope, DefinitionsMeanTheSameOutsideTheirBlock) {
 }
 
 TEST(SceneScope, ChangesOfTheSceneAreSeenByTheNextCompile) {
-  Scene scene = scene_of("object ball\n mass 3\n force (1, 0, 0)");
+  Scene scene = scene_for_a_second("object ball\n mass 3\n force (1, 0, 0)");
   const SceneScope scope(scene);
   scene.bodies[0].forces = {{"(0, 2, 0)", {}, 0}};
   EXPECT_EQ(scope.compile({"ball.force.y", {}, -1}).constant().v[0], 2);
