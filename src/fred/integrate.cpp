@@ -37,7 +37,9 @@ class Run {
   Stop advance() {
     while (is_before(stepper_.t(), goal_.t1)) {
       if (solution_.steps == goal_.most_steps) return Stop::step_limit;
-      if (const auto stop = look_at_clock()) return *stop;
+      if (solution_.steps % kStepsALook == 0) {
+        if (const auto stop = look_at_clock()) return *stop;
+      }
       const auto outcome = stepper_.step(goal_.t1);
       if (outcome == Stepper::Outcome::step_too_small) return Stop::step_too_small;
       if (outcome == Stepper::Outcome::not_finite) return Stop::not_finite;
@@ -64,15 +66,16 @@ class Run {
   }
 
   void sample_until(double t) {
-    for (; next_ < goal_.times.size() && !is_before(t, goal_.times[next_]); ++next_) {
-      stepper_.interpolate(goal_.times[next_], row_);
-      solution_.rows.push_back(goal_.times[next_]);
-      solution_.rows.insert(solution_.rows.end(), row_.begin(), row_.end());
-    }
+    while (next_ < goal_.times.size() && !is_before(t, goal_.times[next_])) sample(goal_.times[next_++]);
+  }
+
+  void sample(double t) {
+    stepper_.interpolate(t, row_);
+    solution_.rows.push_back(t);
+    solution_.rows.insert(solution_.rows.end(), row_.begin(), row_.end());
   }
 
   std::optional<Stop> look_at_clock() {
-    if (solution_.steps % kStepsALook != 0) return {};
     const auto now = Clock::now();
     if (std::chrono::duration<double>(now - start_).count() > goal_.most_time_s) return Stop::time_limit;
     if (!goal_.go_on || now - asked_ < kAsk) return {};
