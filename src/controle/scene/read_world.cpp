@@ -28,7 +28,7 @@ constexpr std::array<Unfit, 3> kUnfit = {
 
 constexpr double kMaxFrames = 1e7;  // ten gigabytes of states.csv for one body: surely a slip in `step`
 
-struct WorldReader {
+struct SectionReader {
   const Outline& outline;
   const Section& section;
   const Constants& constants;
@@ -86,7 +86,7 @@ std::array<Word, kMethods.size()> methods() {
   return words;
 }
 
-std::string read_method(const WorldReader& reader, const Entry& entry) {
+std::string read_method(const SectionReader& reader, const Entry& entry) {
   const std::string folded = fold(entry.value.text);
   for (const Unfit& method : kUnfit) {
     if (method.name != folded) continue;
@@ -96,7 +96,7 @@ std::string read_method(const WorldReader& reader, const Entry& entry) {
   return std::string(kMethods[reader.choice(entry, methods())]);
 }
 
-void read_springs(const WorldReader& reader, World& world) {
+void read_springs(const SectionReader& reader, World& world) {
   const Section& section = reader.section;
   if (const Entry* entry = section.find("spring k")) world.spring_stiffness_N_m = reader.positive(*entry);
   if (const Entry* entry = section.find("spring damping")) {
@@ -108,7 +108,7 @@ void read_springs(const WorldReader& reader, World& world) {
   }
 }
 
-const Entry& needed(const WorldReader& reader, std::string_view canonical) {
+const Entry& needed(const SectionReader& reader, std::string_view canonical) {
   if (const Entry* entry = reader.section.find(canonical)) return *entry;
   const bool open = reader.section.place.line > 0;
   reader.fail(open ? reader.section.place : Place{1, 1}, Code::refused,
@@ -123,7 +123,7 @@ std::span<const std::string_view> known_methods() {
 }
 
 World read_world(const Outline& outline, const Constants& constants) {
-  const WorldReader reader{outline, outline.world, constants};
+  const SectionReader reader{outline, outline.world, constants};
   const Section& section = outline.world;
   World world;
   world.places = reader.places();
@@ -144,7 +144,7 @@ World read_world(const Outline& outline, const Constants& constants) {
 }
 
 Time read_time(const Outline& outline, const Constants& constants) {
-  const WorldReader reader{outline, outline.time, constants};
+  const SectionReader reader{outline, outline.time, constants};
   Time time;
   time.places = reader.places();
   if (const Entry* entry = outline.time.find("start")) time.start_s = constants.number(entry->value);
