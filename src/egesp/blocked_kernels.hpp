@@ -9,8 +9,8 @@
 
 namespace animado::egesp {
 
-inline constexpr size_t kPlain =
-    48;  // rows or columns up to which plain loops are as fast as the blocked ones
+// Rows or columns up to which plain loops are as fast as the blocked ones.
+inline constexpr size_t kPlain = 48;
 
 constexpr const BlockedKernels& blocked_kernels(InstructionSet instructions) {
   switch (instructions) {
