@@ -9,10 +9,11 @@
 namespace animado::egesp {
 namespace {
 
-// Brings the matrices that come kAhead systems later into the cache, a few lines of memory at a time while
-// this block is eliminated: all at once they would wait for each other. An element's kAhead systems lie side
-// by side and come one after the other, because each element is a stream of its own, with pages of its own,
-// and there are more of them than the processor follows by itself.
+// Brings the matrices that come kAhead systems later into the second cache, since the first is full of the
+// systems at work, a few lines of memory at a time while this block is eliminated: all at once they would
+// wait for each other. An element's kAhead systems lie side by side and come one after the other, because
+// each element is a stream of its own, with pages of its own, and there are more of them than the processor
+// follows by itself.
 class Fetch {
  public:
   static constexpr size_t kAhead = 128;
@@ -28,7 +29,8 @@ class Fetch {
   ANIMADO_INLINE void lines() {
     if constexpr (kCount == 0) return;
 #pragma GCC unroll 4
-    for (size_t l = 0; l < kCount; ++l) __builtin_prefetch(reinterpret_cast<const void*>(next_ + l * kLine));
+    for (size_t l = 0; l < kCount; ++l)
+      __builtin_prefetch(reinterpret_cast<const void*>(next_ + l * kLine), kRead, kSecondCache);
     next_ += kCount * kLine;
     left_ -= kCount;
     if (left_ > 0) return;
@@ -39,7 +41,7 @@ class Fetch {
 
  private:
   static constexpr size_t kLine = kLaneGroup * sizeof(double), kRun = kAhead * sizeof(double);
-  static constexpr int kLines = kRun / kLine;
+  static constexpr int kLines = kRun / kLine, kRead = 0, kSecondCache = 2;
   // Addresses, which may lie behind the last system: to fetch there does nothing.
   uintptr_t next_ = 0, end_ = 0, stride_ = 0;
   int left_ = kLines;  // of the stream's lines

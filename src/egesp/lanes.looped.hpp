@@ -96,23 +96,21 @@ class LoopedSweep {
     return of_first;
   }
 
-  // largest: |a_i0|
+  // largest: |a_i0|. A pivot is looked for as soon as its column is ready: most of the search is waiting,
+  // during which the processor goes on to the other columns.
   ANIMADO_INLINE void partial(Lane largest) {
-    for (int k = 0; k < n_; k += 2) {
-      const Choice first = choose_row(k, largest);
-      take_pivot(k, largest, changed(first, k, k));
-      change_rows(first, k, k, k + 2);
-      if (k + 1 == n_) break;
-
+    Choice first = choose_pivot(0, largest);
+    for (int k = 0; k + 1 < n_; k += 2) {
       Largest next;
       eliminate(k, k + 1, changed(first, k + 1, k), [&](Lane v, int, int r) { next.see(absolute(v), r); });
-      largest = next.of_all();
-      const Choice second = choose_row(k + 1, largest);
-      take_pivot(k + 1, largest, changed(second, k + 1, k + 1));
+      const Choice second = choose_pivot(k + 1, next.of_all());
+      change_rows(first, k, k, k + 2);
       const Changed factors = changed(second, k, k + 1);
       each_row(k + 2, n_, [&](int i, int) { column(k)[i] = factors(i); });
       change_rows(second, k + 1, k, k + 2);
-      largest = eliminate_two(k);
+      int j = k + 2;
+      if (j < n_) first = choose_pivot(j++, eliminate_two_in_next(k));
+      eliminate_two(k, j);
     }
   }
 
@@ -199,6 +197,14 @@ class LoopedSweep {
     return choose(k, largest, 1, [&](int i) { return absolute(column(k)[i]); });
   }
 
+  // The row with the largest, whose column becomes the factors; the other columns still have their rows as
+  // they were.
+  ANIMADO_INLINE Choice choose_pivot(int k, Lane largest) {
+    const Choice choice = choose_row(k, largest);
+    take_pivot(k, largest, changed(choice, k, k));
+    return choice;
+  }
+
   // In the columns from `begin` on, and in the factors of the steps before `kept` where they are kept.
   ANIMADO_INLINE void change_rows(const Choice& choice, int k, int kept, int begin) {
     if constexpr (kKeep) {
@@ -247,34 +253,38 @@ class LoopedSweep {
     });
   }
 
-  // Steps k and k + 1 in all columns that follow. Returns the largest of the next one.
-  ANIMADO_INLINE Lane eliminate_two(int k) {
-    const int below = k + 2;
-    const Lane *f = column(k) + below, *g = column(k + 1) + below, between = f[-1];
-    Fetch fetch = fetch_;
-    const auto eliminate_both = [&](int j, const auto& rows) {
-      Lane* c = column(j) + below;
-      const Lane top = c[-2], second = c[-1] - between * top;
-      c[-1] = second;
-      if constexpr (!kKeep) fetch.lines<kFetchEliminatingTwo>();
-      rows([&](int i) { return c[i] = c[i] - f[i] * top - g[i] * second; });
-    };
+  // Steps k and k + 1 in column j. rows(row): row(i) for the i-th below them, which becomes what it returns.
+  template <class Rows>
+  ANIMADO_INLINE void eliminate_two_in(int k, int j, Fetch& fetch, const Rows& rows) {
+    const Lane *f = column(k) + k + 2, *g = column(k + 1) + k + 2, between = f[-1];
+    Lane* c = column(j) + k + 2;
+    const Lane top = c[-2], second = c[-1] - between * top;
+    c[-1] = second;
+    if constexpr (!kKeep) fetch.lines<kFetchEliminatingTwo>();
+    rows([&](int i) { return c[i] = c[i] - f[i] * top - g[i] * second; });
+  }
+
+  // In the column of the next pivot. Returns the largest of it.
+  ANIMADO_INLINE Lane eliminate_two_in_next(int k) {
     Largest next;
-    if (below < columns_) {
-      eliminate_both(below, [&](const auto& row) {
-        each_row(0, n_ - below, [&](int i, int r) { next.see(absolute(row(i)), r); });
-      });
-    }
-    unrolled<kLaneSize / 4>((n_ - below + 3) / 4, [&]<int kFours>() {
-      for (int j = below + 1; j < columns_; ++j) {
-        eliminate_both(j, [](const auto& row) {
+    eliminate_two_in(k, k + 2, fetch_, [&](const auto& row) {
+      each_row(0, n_ - (k + 2), [&](int i, int r) { next.see(absolute(row(i)), r); });
+    });
+    return next.of_all();
+  }
+
+  // In the columns from `begin` on.
+  ANIMADO_INLINE void eliminate_two(int k, int begin) {
+    Fetch fetch = fetch_;  // in registers
+    unrolled<kLaneSize / 4>((n_ - (k + 2) + 3) / 4, [&]<int kFours>() {
+      for (int j = begin; j < columns_; ++j) {
+        eliminate_two_in(k, j, fetch, [](const auto& row) {
 #pragma GCC unroll 32
           for (int i = 0; i < 4 * kFours; ++i) row(i);
         });
       }
     });
     fetch_ = fetch;
-    return next.of_all();
   }
 
   Block<0, 0>& block_;
