@@ -33,7 +33,19 @@ void AdaptiveSteps<Core>::choose_first(double end) {
 }
 
 template <class Core>
-Stepper::Outcome AdaptiveSteps<Core>::step(double end) {
+Stepper::Outcome AdaptiveSteps<Core>::advance(const Reach& reach) {
+  const double direction = reach.end < t_ ? -1 : 1;
+  for (int64_t left = reach.most; left > 0; --left) {
+    const Outcome outcome = take_step(reach.end);
+    if (outcome != Outcome::stepped) return outcome;
+    ++steps_;
+    if (direction * (t_ - reach.until) >= 0) break;
+  }
+  return Outcome::stepped;
+}
+
+template <class Core>
+Stepper::Outcome AdaptiveSteps<Core>::take_step(double end) {
   if (pending_) core_.accept();
   pending_ = false;
   from_ = t_;

@@ -21,7 +21,7 @@ class AdaptiveSteps : public Stepper {
   // Goes on from a checkpoint; the core was made with its state.
   void resume(const Checkpoint& from);
 
-  Outcome step(double end) override;
+  Outcome advance(const Reach& reach) override;
   std::span<const double> y() const override { return pending_ ? core_.end() : core_.y(); }
   void interpolate(double t, std::span<double> out) override;
   Checkpoint checkpoint(bool at_start) override;
@@ -29,6 +29,7 @@ class AdaptiveSteps : public Stepper {
   int64_t evaluations() const override { return core_.evaluations() + trial_evaluations_; }
 
  private:
+  Outcome take_step(double end);
   void choose_first(double end);
   Outcome failure();
 

@@ -22,13 +22,6 @@ DenseWeights dense_weights(const Tableau& method, double theta) {
   return weights;
 }
 
-std::vector<Sum> error_sums(const Tableau& method) {
-  std::vector<Sum> sums;
-  for (const auto& weights : method.errors) sums.push_back(sum_of(weights));
-  assert(sums.size() < 2 || std::ranges::equal(sums[0].rows, sums[1].rows));
-  return sums;
-}
-
 double error_of(std::span<const double> squares, double step, size_t n) {
   const double h = std::abs(step), count = static_cast<double>(n);
   if (squares.size() == 1) return h * std::sqrt(squares[0] / count);
@@ -73,7 +66,7 @@ double step_error(const Tableau& method, std::span<const double> state, std::spa
   if (systems > 1) return worst_error(method, state, end, derivatives, step, tolerance, systems);
   const auto squares = StateSums(state.size())
                            .square_errors(state.data(), end.data(), rows_of(derivatives, state.size()).data(),
-                                          error_sums(method), tolerance);
+                                          method.estimates, tolerance);
   return error_of(std::span(squares).first(method.errors.size()), step, state.size());
 }
 

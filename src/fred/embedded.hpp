@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "fred/control.hpp"
-#include "fred/lanes.hpp"
 #include "fred/tableau.hpp"
 
 namespace animado::fred {
@@ -17,9 +16,6 @@ struct DenseWeights {
   std::vector<double> rates;  // of all derivatives
 };
 DenseWeights dense_weights(const Tableau& method, double theta);
-
-// The method's estimates of its error, which all read the same derivatives.
-std::vector<Sum> error_sums(const Tableau& method);
 
 // squares: of each of the method's estimates, Σ_i ((Σ_j e_j k_j)_i / scale_i)² over n elements. The root mean
 // square of one; of DOP853's two, err5² / √(err5² + 0.01 err3²) (Hairer, Nørsett, Wanner I, II.10.17).

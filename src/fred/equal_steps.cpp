@@ -15,25 +15,35 @@ int64_t EqualTimes::count(double t0, double t1, double largest, int64_t samples)
   return static_cast<int64_t>(std::min(std::ceil(std::max(wanted, 1.0) / group) * group, 0x1p62));
 }
 
+int64_t EqualTimes::before(double t, int64_t most) const {
+  const double last = std::ceil((t - origin) / step - kHair) - 1;
+  return static_cast<int64_t>(std::clamp(last - static_cast<double>(done), 0.0, static_cast<double>(most)));
+}
+
 template <class Core>
-Stepper::Outcome EqualSteps<Core>::step(double end) {
+Stepper::Outcome EqualSteps<Core>::advance(const Reach& reach) {
+  whole_ = true;
+  for (int64_t left = times_.before(reach.until, reach.most - 1); left > 0; --left) {
+    const Outcome outcome = take_step(times_.step, times_.after(times_.done + 1));
+    if (outcome != Outcome::stepped) return outcome;
+  }
+  const double next = times_.after(times_.done + 1), past = (next - reach.end) / times_.step;
+  whole_ = past < kHair;
+  return take_step(whole_ ? times_.step : reach.end - t_, past > -kHair ? reach.end : next);
+}
+
+// To t.
+template <class Core>
+Stepper::Outcome EqualSteps<Core>::take_step(double h, double t) {
   if (pending_) core_.accept();
   pending_ = false;
   from_ = t_;
-  ++times_.done;
-  const double next = time();
-  const double past = (next - end) * (times_.step < 0 ? -1 : 1);
-  whole_ = past < 0.01 * std::abs(times_.step);
-  // A step that rounding put beside the end ends there.
-  const bool last = past > -0.01 * std::abs(times_.step);
-  const double h = last ? end - from_ : times_.step;
-  const bool converged = core_.attempt(from_, last && whole_ ? times_.step : h);
-  if (!converged || !core_.end_is_finite()) {
-    --times_.done;
-    return converged ? Outcome::not_finite : Outcome::step_too_small;
-  }
-  t_ = last ? end : next;
+  if (!core_.attempt(from_, h)) return Outcome::step_too_small;
+  if (!core_.end_is_finite()) return Outcome::not_finite;
+  t_ = t;
   pending_ = true;
+  ++times_.done;
+  ++steps_;
   return Outcome::stepped;
 }
 

@@ -40,13 +40,22 @@ class Run {
       if (solution_.steps % kStepsALook == 0) {
         if (const auto stop = look_at_clock()) return *stop;
       }
-      const auto outcome = stepper_.step(goal_.t1);
+      const int64_t before = stepper_.steps();
+      const auto outcome = stepper_.advance(reach());
+      solution_.steps += stepper_.steps() - before;
       if (outcome == Stepper::Outcome::step_too_small) return Stop::step_too_small;
       if (outcome == Stepper::Outcome::not_finite) return Stop::not_finite;
-      ++solution_.steps;
       if (const auto ended = tell_step()) return *ended;
     }
     return Stop::end;
+  }
+
+  // To the next look: at events in every step, at a sample, at the limit or the clock.
+  Stepper::Reach reach() const {
+    const bool sampled = next_ < goal_.times.size() && is_before(goal_.times[next_], goal_.t1);
+    const int64_t to_clock = kStepsALook - solution_.steps % kStepsALook;
+    return {goal_.t1, sampled ? goal_.times[next_] : goal_.t1,
+            goal_.events.empty() ? std::min(to_clock, goal_.most_steps - solution_.steps) : 1};
   }
 
   // Samples and events of the last step.

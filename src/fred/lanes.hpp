@@ -7,8 +7,9 @@
 
 namespace animado::fred {
 
-inline constexpr int kMostTerms = 16;     // of a sum
-inline constexpr int kMostEstimates = 2;  // of the error of one step
+inline constexpr int kMostTerms = 16;           // of a sum
+inline constexpr size_t kMostDerivatives = 24;  // of a method
+inline constexpr int kMostEstimates = 2;        // of the error of one step
 inline constexpr size_t kRunningSums = 4;
 
 // Σ_j coefficients[j] k[rows[j]], taken in the order of j, each operation rounded.
@@ -29,7 +30,8 @@ struct ErrorScale {
 // the elements from `begin` to `end`, a multiple of `width` in number, at any address.
 struct LaneKernels {
   size_t width;
-  // out = y + h sum. `out` is apart from what is read.
+  // out = y + h sum, for which h is multiplied into the coefficients first: with one rounding less for each
+  // element. `out` is apart from what is read.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
                                   double* out, size_t begin, size_t end);
   // The same; tells whether all of it is finite.

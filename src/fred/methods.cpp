@@ -98,11 +98,11 @@ const std::vector<Method>& methods() {
 
 const Method& method_named(std::string_view name) {
   const std::string folded = fold(name);
-  std::vector<std::string> names;
   for (const Method& method : methods()) {
     if (method.name == folded) return method;
-    names.push_back(method.name);
   }
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(method.name);
   const std::string nearest = nearest_name(folded, names);
   throw Error(Code::unknown_name, fmt::format("no method is named '{}'", name), "method",
               nearest.empty()

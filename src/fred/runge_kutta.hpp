@@ -1,8 +1,9 @@
 // One step of an explicit Runge–Kutta method, with its error and what lies inside it.
 #pragma once
 
+#include <array>
 #include <memory>
-#include <vector>
+#include <utility>
 
 #include "fred/control.hpp"
 #include "fred/derivative.hpp"
@@ -40,23 +41,28 @@ class RungeKutta {
   void interpolate(double theta, std::span<double> out);
 
   // The end becomes the start.
-  void accept();
+  void accept() {
+    std::swap(y_, end_);
+    std::swap(k_[0], k_[stages_]);
+    knows_rate_ = knows_end_;
+    knows_end_ = knows_dense_ = false;
+  }
 
  private:
   void evaluate(size_t s, double t, const double* at);
-  void combine(size_t s, double* out);
+  void evaluate_stage(size_t s);
   void evaluate_end();
   void prepare_dense();
 
   const Tableau& method_;
   Derivative derivative_;
+  const Place* places_;
+  size_t size_, stages_;
   StateSums sums_;
-  size_t size_;
+  WholeLanes lanes_;
   std::unique_ptr<double[], void (*)(void*)> memory_;
-  std::vector<double*> k_;  // rows of derivatives
+  std::array<double*, kMostDerivatives> k_ = {};
   double *y_, *end_, *stage_;
-  std::vector<Sum> places_;  // where each derivative is evaluated: the end of the step at `stages`
-  std::vector<Sum> estimates_;
   double t_ = 0, h_ = 0;
   bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false, end_is_finite_ = true;
   int64_t evaluations_ = 0;

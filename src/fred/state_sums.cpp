@@ -5,8 +5,9 @@
 namespace animado::fred {
 namespace {
 
-// A small state goes one element after the other: the derivative has just written it so, and a wide load of
-// what is still on its way to the cache waits for it.
+// The stages of a small state go one element after the other: the derivative has just written it so, and a
+// wide load of what is still on its way to the cache waits for it. Its error, for which most derivatives are
+// older, does not.
 constexpr size_t kSmall = 16;
 
 // From here on the widest registers are worth what is left over of them.
@@ -49,7 +50,7 @@ StateSums::StateSums(size_t size)
       errors_(error_kernels()),
       size_(size),
       wide_size_(whole_lanes(size, wide_)),
-      errors_size_(whole_lanes(size, errors_)) {}
+      errors_size_(size / errors_.width * errors_.width) {}
 
 SquareErrors StateSums::square_errors(const double* y, const double* end, const double* const* k,
                                       std::span<const Sum> estimates, const Tolerance& tolerance) const {
@@ -71,5 +72,9 @@ SquareErrors StateSums::square_errors(const double* y, const double* end, const 
 bool StateSums::are_finite(const double* v) const {
   return wide_.are_finite(v, 0, wide_size_) && kLanesOne.are_finite(v, wide_size_, size_);
 }
+
+WholeLanes::WholeLanes(size_t size)
+    : kernels(size <= kSmall ? kLanesOne : wide_kernels(size)),
+      end((size + kernels.width - 1) / kernels.width * kernels.width) {}
 
 }  // namespace animado::fred

@@ -24,18 +24,10 @@ class StateSums {
  public:
   explicit StateSums(size_t size);
 
-  // out = y + h Σ; out is apart from what is read.
+  // out = y + h Σ; see LaneKernels::combine.
   void combine(const double* y, const double* const* k, const Sum& sum, double h, double* out) const {
     if (wide_size_ > 0) wide_.combine[sum.count](y, k, sum, h, out, 0, wide_size_);
     if (wide_size_ < size_) kLanesOne.combine[sum.count](y, k, sum, h, out, wide_size_, size_);
-  }
-
-  // The same; tells whether all of it is finite.
-  bool combine_end(const double* y, const double* const* k, const Sum& sum, double h, double* out) const {
-    bool finite = true;
-    if (wide_size_ > 0) finite = wide_.combine_end[sum.count](y, k, sum, h, out, 0, wide_size_);
-    if (wide_size_ < size_) finite &= kLanesOne.combine_end[sum.count](y, k, sum, h, out, wide_size_, size_);
-    return finite;
   }
 
   // Of each estimate, Σ_i (sum_i / scale_i)². All of them read the same derivatives.
@@ -48,6 +40,15 @@ class StateSums {
   const LaneKernels &wide_, &errors_;  // those that estimate errors
   size_t size_;
   size_t wide_size_, errors_size_;  // the elements beyond go one by one
+};
+
+// For states in rows of which each begins at an address of 64 bytes, with zeros behind it up to the next: no
+// element is left over.
+struct WholeLanes {
+  explicit WholeLanes(size_t size);
+
+  const LaneKernels& kernels;
+  size_t end;  // of what they work on
 };
 
 }  // namespace animado::fred

@@ -31,8 +31,17 @@ class Stepper {
 
   virtual ~Stepper() = default;
 
-  // One step towards `end`, which it meets but does not pass. Only after `stepped` has the state changed.
-  virtual Outcome step(double end) = 0;
+  // How far to go before somebody looks: towards `end`, which the last step meets but does not pass, until a
+  // step reaches `until` or `most` were taken.
+  struct Reach {
+    double end, until;
+    int64_t most;
+  };
+
+  // At least one step. The one that is not `stepped` is the last, and has not changed the state.
+  virtual Outcome advance(const Reach& reach) = 0;
+  Outcome step(double end) { return advance({end, end, 1}); }
+  int64_t steps() const { return steps_; }  // taken
 
   // The last step: its start, its end. Before the first both are the start.
   double from() const { return from_; }
@@ -57,7 +66,7 @@ class Stepper {
   }
 
   double from_ = 0, t_ = 0;
-  int64_t refused_ = 0;
+  int64_t steps_ = 0, refused_ = 0;
 };
 
 }  // namespace animado::fred

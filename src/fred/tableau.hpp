@@ -20,7 +20,15 @@
 #include <string>
 #include <vector>
 
+#include "fred/lanes.hpp"
+
 namespace animado::fred {
+
+// Where k_s is evaluated; for s = stages the end of the step.
+struct Place {
+  Sum sum;
+  double node;
+};
 
 struct Tableau {
   std::string name, reference;
@@ -36,6 +44,10 @@ struct Tableau {
   std::vector<double> extra_nodes = {};                // c of k_{s+1}, …
   std::vector<std::vector<double>> extra_matrix = {};  // a of them, row i over (stages + 1 + i) derivatives
   std::vector<std::vector<double>> dense = {};         // d, over all derivatives
+
+  // The same numbers as the kernels read them; see with_sums.
+  std::vector<Place> places = {};   // of each derivative
+  std::vector<Sum> estimates = {};  // of the error; all read the same derivatives
 
   size_t stages() const { return nodes.size(); }
   size_t derivatives() const { return stages() + 1 + extra_nodes.size(); }
@@ -53,6 +65,9 @@ struct Tableau {
     return s > stages() ? extra_nodes[s - stages() - 1] : s == stages() ? 1 : nodes[s];
   }
 };
+
+// Fills `places` and `estimates`.
+Tableau with_sums(Tableau tableau);
 
 // All of them, the default first.
 const std::vector<Tableau>& tableaus();

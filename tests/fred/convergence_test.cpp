@@ -25,7 +25,7 @@ const std::vector<Known>& known_problems() {
       {"decay",
        [](double, auto y, auto rate) { rate[0] = -y[0]; },
        {1},
-       1,
+       2,
        [](double t) { return one(std::exp(-t)); }},
       {"oscillator",
        [](double, auto y, auto rate) { rate[0] = y[1], rate[1] = -y[0]; },

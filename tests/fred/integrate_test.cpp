@@ -184,6 +184,23 @@ TEST_P(Interrupted, ByAnEvent) {
   expect_same_when([](Goal& goal) { goal.events[0].terminal = true; }, Stop::event);
 }
 
+// Where nobody looks at every step, many are taken at a time: they are the same.
+TEST_P(Interrupted, ManyStepsAtATime) {
+  for (const int64_t most : {int64_t{70}, std::numeric_limits<int64_t>::max()}) {
+    Goal alone = whole(), together = whole();
+    alone.most_steps = together.most_steps = most;
+    alone.events = {{[](double, auto) { return 1.0; }}};  // looked at, and never zero
+    together.events = {};
+    const Solution expected = integrate(*begin(), alone), solution = integrate(*begin(), together);
+    EXPECT_EQ(solution.stop, expected.stop);
+    EXPECT_EQ(solution.steps, expected.steps);
+    EXPECT_EQ(solution.t, expected.t);
+    EXPECT_EQ(solution.y, expected.y);
+    EXPECT_EQ(solution.rows, expected.rows);
+    EXPECT_EQ(solution.checkpoint.t, expected.checkpoint.t);
+  }
+}
+
 TEST(Integrate, StopsAtLimits) {
   Goal goal;
   goal.most_time_s = 0;
@@ -253,6 +270,17 @@ TEST(EqualTimes, TakesTheFewestStepsThatAreShortEnough) {
   EXPECT_EQ(EqualTimes::count(0, 1, 0, 7), 1001);  // samples fall on ends of steps
   EXPECT_EQ(EqualTimes::count(0, 1, 0.5, 7), 7);
   EXPECT_EQ(EqualTimes::count(2, 2, 0.5, 0), 1);
+}
+
+TEST(EqualTimes, TellsHowManyStepsEndBefore) {
+  const EqualTimes times{1, 0.1, 3};
+  EXPECT_EQ(times.before(2, 100), 6);  // the tenth ends there
+  EXPECT_EQ(times.before(1.95, 100), 6);
+  EXPECT_EQ(times.before(2.0005, 100), 6);  // but for less than rounding leaves
+  EXPECT_EQ(times.before(2.05, 100), 7);
+  EXPECT_EQ(times.before(2, 2), 2);
+  EXPECT_EQ(times.before(1, 100), 0);
+  EXPECT_EQ((EqualTimes{1, -0.1, 3}.before(0, 100)), 6);
 }
 
 }  // namespace
