@@ -6,7 +6,7 @@
 namespace animado::fred {
 namespace {
 
-constexpr size_t kCacheBytes = 40 * 1024;  // of 32 to 48 KiB: a little more than it holds costs little
+constexpr size_t kCacheBytes = 28 * 1024;  // of 32 to 48 KiB: the right-hand side has its share
 constexpr size_t kLanes = 8;               // of the widest registers
 
 // Numbers of the systems first … first + count − 1, row by row.

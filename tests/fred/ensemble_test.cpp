@@ -101,7 +101,7 @@ TEST(Ensemble, GroupsFitTheFirstCache) {
       EXPECT_GE(size, 8u);
     }
   }
-  EXPECT_EQ(group_size(method_named("rk4"), 7), 104u);  // 7 rows of 7 · 104 numbers: 40 KB
+  EXPECT_EQ(group_size(method_named("rk4"), 7), 72u);  // 7 rows of 7 · 72 numbers: 28 KB
 }
 
 }  // namespace
