@@ -34,11 +34,11 @@ struct Terms {
   const double* k[kTerms];
   Lane coefficients[kTerms];
 
-  ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum, double factor = 1) {
+  ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum) {
 #pragma GCC unroll 16
     for (int j = 0; j < kTerms; ++j) {
       k[j] = derivatives[sum.rows[j]];
-      coefficients[j] = factor * sum.coefficients[j] - Lane{};  // in each place of the lane
+      coefficients[j] = sum.coefficients[j] - Lane{};  // in each place of the lane
     }
   }
 
@@ -53,8 +53,8 @@ struct Terms {
 template <int kTerms>
 void combine(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t begin,
              size_t end) {
-  const Terms<kTerms> terms(k, sum, h);
-  for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + terms(e));
+  const Terms<kTerms> terms(k, sum);
+  for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + h * terms(e));
 }
 
 // A sum over 0 · v, which is 0, or NaN for what is not finite.
@@ -73,10 +73,10 @@ struct Probe {
 template <int kTerms>
 bool combine_end(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t begin,
                  size_t end) {
-  const Terms<kTerms> terms(k, sum, h);
+  const Terms<kTerms> terms(k, sum);
   Probe probe;
   for (size_t e = begin; e < end; e += kWidth) {
-    const Lane v = at(y, e) + terms(e);
+    const Lane v = at(y, e) + h * terms(e);
     probe.see(v);
     put(out, e, v);
   }

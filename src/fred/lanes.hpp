@@ -30,8 +30,9 @@ struct ErrorScale {
 // the elements from `begin` to `end`, a multiple of `width` in number, at any address.
 struct LaneKernels {
   size_t width;
-  // out = y + h sum, for which h is multiplied into the coefficients first: with one rounding less for each
-  // element. `out` is apart from what is read.
+  // out = y + h sum. `out` is apart from what is read. With h in the coefficients a multiplication would be
+  // spared, but their rounding is the same in every step of one length, and adds up: 10 times the error of
+  // verner87 in 400 steps, 2 of dop853.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
                                   double* out, size_t begin, size_t end);
   // The same; tells whether all of it is finite.

@@ -1,4 +1,4 @@
-// Where a stage of a Runge–Kutta step is evaluated, and where the step ends: out = y + Σ (h a_j) k_j.
+// Where a stage of a Runge–Kutta step is evaluated, and where the step ends: out = y + h Σ a_j k_j.
 #pragma once
 
 #include <span>

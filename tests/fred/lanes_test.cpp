@@ -35,10 +35,10 @@ class Lanes : public testing::TestWithParam<int> {
       }
     }
   }
-  double sum(int which, size_t i, double factor = 1) const {
+  double sum(int which, size_t i) const {
     const Sum& s = sums_[which];
-    double total = factor * s.coefficients[0] * k_[s.rows[0]][i];
-    for (int j = 1; j < s.count; ++j) total += factor * s.coefficients[j] * k_[s.rows[j]][i];
+    double total = s.coefficients[0] * k_[s.rows[0]][i];
+    for (int j = 1; j < s.count; ++j) total += s.coefficients[j] * k_[s.rows[j]][i];
     return total;
   }
 
@@ -55,7 +55,7 @@ TEST_P(Lanes, Combine) {
     std::vector<double> out(kSize, 9);
     kernels->combine[terms](y_, k_, sums_[0], 0.1, out.data(), 4, 20);
     for (size_t i = 0; i < kSize; ++i) {
-      EXPECT_EQ(out[i], i < 4 || i >= 20 ? 9 : y_[i] + sum(0, i, 0.1)) << kernels->width << " " << i;
+      EXPECT_EQ(out[i], i < 4 || i >= 20 ? 9 : y_[i] + 0.1 * sum(0, i)) << kernels->width << " " << i;
     }
     std::vector<double> end(kSize, 9);
     EXPECT_TRUE(kernels->combine_end[terms](y_, k_, sums_[0], 0.1, end.data(), 4, 20));
