@@ -16,7 +16,7 @@ namespace {
 // follows by itself.
 class Fetch {
  public:
-  static constexpr size_t kAhead = 128;
+  static constexpr size_t kAhead = 64;  // of 32×32, half a megabyte
 
   // What follows are `elements` streams, of which kAhead numbers from `next` on are fetched.
   void start(const double* next, size_t elements, size_t stride) {
