@@ -201,6 +201,23 @@ TEST_P(Interrupted, ManyStepsAtATime) {
   }
 }
 
+// The last of the equal steps is cut short, in both directions.
+TEST(Integrate, EndsInsideAStep) {
+  for (const double end : {1.0, -1.0}) {
+    Function f = oscillate;
+    const auto stepper = equal_stepper(method_named("rk4"), problem_of(f, {1, 0}), 0.03 * end);
+    Goal goal;
+    goal.t1 = end;
+    goal.times = {end / 2, end};
+    const Solution solution = integrate(*stepper, goal);
+    EXPECT_EQ(solution.t, end);
+    EXPECT_EQ(solution.steps, 34);
+    EXPECT_NEAR(solution.y[0], std::cos(end), 1e-7);
+    EXPECT_NEAR(solution.rows[1], std::cos(end / 2), 1e-7);
+    EXPECT_EQ(solution.rows[4], solution.y[0]);
+  }
+}
+
 TEST(Integrate, StopsAtLimits) {
   Goal goal;
   goal.most_time_s = 0;
