@@ -30,7 +30,7 @@ RungeKutta::RungeKutta(const Tableau& method, Derivative derivative, std::span<c
       places_(method.places.data()),
       size_(start.size()),
       stages_(method.stages()),
-      sums_(size_),
+      errors_(size_),
       lanes_(size_),
       memory_(nullptr, std::free) {
   const size_t stride = (size_ + kCacheLine - 1) / kCacheLine * kCacheLine,
@@ -51,9 +51,13 @@ void RungeKutta::evaluate(size_t s, double t, const double* at) {
   ++evaluations_;
 }
 
+void RungeKutta::combine(const Sum& sum) {
+  lanes_.kernels.combine[sum.count](y_, k_.data(), sum, h_, stage_, 0, lanes_.end);
+}
+
 void RungeKutta::evaluate_stage(size_t s) {
   const auto& [sum, node] = places_[s];
-  lanes_.kernels.combine[sum.count](y_, k_.data(), sum, h_, stage_, 0, lanes_.end);
+  combine(sum);
   evaluate(s, t_ + node * h_, stage_);
 }
 
@@ -92,7 +96,7 @@ void RungeKutta::evaluate_end() {
 double RungeKutta::error(const Tolerance& tolerance) {
   assert(method_.is_adaptive());
   if (method_.error_reads_end()) evaluate_end();
-  const auto squares = sums_.square_errors(y_, end_, k_.data(), method_.estimates, tolerance);
+  const auto squares = errors_.square_errors(y_, end_, k_.data(), method_.estimates, tolerance);
   return error_of(std::span(squares).first(method_.estimates.size()), h_, size_);
 }
 
@@ -106,8 +110,7 @@ void RungeKutta::prepare_dense() {
 void RungeKutta::interpolate(double theta, std::span<double> out) {
   prepare_dense();
   const DenseWeights weights = dense_weights(method_, theta);
-  const Sum sum = sum_of(weights.rates);
-  sums_.combine(y_, k_.data(), sum, h_, stage_);
+  combine(sum_of(weights.rates));
   for (size_t i = 0; i < size_; ++i) out[i] = stage_[i] + weights.difference * (end_[i] - y_[i]);
 }
 

@@ -50,6 +50,7 @@ class RungeKutta {
 
  private:
   void evaluate(size_t s, double t, const double* at);
+  void combine(const Sum& sum);  // into the stage
   void evaluate_stage(size_t s);
   void evaluate_end();
   void prepare_dense();
@@ -58,7 +59,7 @@ class RungeKutta {
   Derivative derivative_;
   const Place* places_;
   size_t size_, stages_;
-  StateSums sums_;
+  StateSums errors_;
   WholeLanes lanes_;
   std::unique_ptr<double[], void (*)(void*)> memory_;
   std::array<double*, kMostDerivatives> k_ = {};
