@@ -6,6 +6,8 @@
 #include <span>
 #include <type_traits>
 
+#include "fred/lanes.hpp"
+
 namespace animado::fred {
 
 // Refers to a callable f(t, y, rate) that puts the derivative into `rate`; whoever made it keeps it alive.
@@ -15,18 +17,20 @@ class Derivative {
   template <class F>
   requires(!std::same_as<std::remove_cvref_t<F>, Derivative> &&
            std::invocable<F&, double, std::span<const double>, std::span<double>>) Derivative(F&& f)
-      : object_(const_cast<void*>(static_cast<const void*>(&f))),
-        call_([](void* object, double t, std::span<const double> y, std::span<double> rate) {
-          (*static_cast<std::remove_reference_t<F>*>(object))(t, y, rate);
-        }) {}
+      : function_{const_cast<void*>(static_cast<const void*>(&f)),
+                  [](void* object, double t, const double* y, double* rate, size_t size) {
+                    (*static_cast<std::remove_reference_t<F>*>(object))(t, std::span(y, size),
+                                                                        std::span(rate, size));
+                  }} {}
 
   void operator()(double t, std::span<const double> y, std::span<double> rate) const {
-    call_(object_, t, y, rate);
+    function_.call(function_.object, t, y.data(), rate.data(), rate.size());
   }
 
+  const RateFunction& function() const { return function_; }
+
  private:
-  void* object_;
-  void (*call_)(void*, double, std::span<const double>, std::span<double>);
+  RateFunction function_;
 };
 
 // Puts ∂f_i/∂y_j at (t, y) into jacobian[i n + j].

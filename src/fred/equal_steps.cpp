@@ -23,28 +23,66 @@ int64_t EqualTimes::before(double t, int64_t most) const {
 template <class Core>
 Stepper::Outcome EqualSteps<Core>::advance(const Reach& reach) {
   whole_ = true;
-  for (int64_t left = times_.before(reach.until, reach.most - 1); left > 0; --left) {
-    const Outcome outcome = take_step(times_.step, times_.after(times_.done + 1));
-    if (outcome != Outcome::stepped) return outcome;
-  }
+  const Outcome outcome = take_whole(times_.before(reach.until, reach.most - 1));
+  if (outcome != Outcome::stepped) return outcome;
   const double next = times_.after(times_.done + 1), past = (next - reach.end) / times_.step;
   whole_ = past < kHair;
   return take_step(whole_ ? times_.step : reach.end - t_, past > -kHair ? reach.end : next);
 }
 
+template <class Core>
+Stepper::Outcome EqualSteps<Core>::take_whole(int64_t count) {
+  return take_one_by_one(count);
+}
+
+template <class Core>
+Stepper::Outcome EqualSteps<Core>::take_one_by_one(int64_t count) {
+  for (; count > 0; --count) {
+    const Outcome outcome = take_step(times_.step, times_.after(times_.done + 1));
+    if (outcome != Outcome::stepped) return outcome;
+  }
+  return Outcome::stepped;
+}
+
+// All at once. Where they end in what is not finite, again and one by one, which tells where that began.
+template <>
+Stepper::Outcome EqualSteps<RungeKutta>::take_whole(int64_t count) {
+  if (count == 0) return Outcome::stepped;
+  accept_pending();
+  before_.assign(core_.y().begin(), core_.y().end());
+  core_.attempt(times_.origin, times_.step, times_.done, count);
+  if (core_.end_is_finite()) {
+    from_ = times_.after(times_.done + count - 1);
+    finish_steps(count, times_.after(times_.done + count));
+    return Outcome::stepped;
+  }
+  core_.set_y(before_);
+  return take_one_by_one(count);
+}
+
 // To t.
 template <class Core>
 Stepper::Outcome EqualSteps<Core>::take_step(double h, double t) {
-  if (pending_) core_.accept();
-  pending_ = false;
+  accept_pending();
   from_ = t_;
   if (!core_.attempt(from_, h)) return Outcome::step_too_small;
   if (!core_.end_is_finite()) return Outcome::not_finite;
+  finish_steps(1, t);
+  return Outcome::stepped;
+}
+
+template <class Core>
+void EqualSteps<Core>::accept_pending() {
+  if (pending_) core_.accept();
+  pending_ = false;
+}
+
+template <class Core>
+void EqualSteps<Core>::finish_steps(int64_t count, double t) {
   t_ = t;
   pending_ = true;
-  ++times_.done;
-  ++steps_;
-  return Outcome::stepped;
+  times_.done += count;
+  steps_ += count;
 }
 
 template <class Core>

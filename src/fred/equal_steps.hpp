@@ -44,10 +44,16 @@ class EqualSteps : public Stepper {
   int64_t evaluations() const override { return core_.evaluations(); }
 
  private:
+  Outcome take_whole(int64_t count);
+  Outcome take_one_by_one(int64_t count);
   Outcome take_step(double h, double t);
+  void accept_pending();
+  void finish_steps(int64_t count, double t);
+
   Core core_;
   std::string method_;
   EqualTimes times_;
+  std::vector<double> before_;  // what is tried at once
   bool pending_ = false, whole_ = true;
 };
 

@@ -2,32 +2,15 @@
 // the machine takes one, two, four or eight at a time.
 //
 // The number of terms is known when compiling: coefficients stay in registers, and each derivative is read
-// once. No standard header is included: an inline function compiled here for AVX2 must not become the copy
-// that the linker keeps for the whole program.
+// once.
 #include "fred/lanes.hpp"
+
+#include "fred/lanes.steps.hpp"
+#include "fred/lanes.vector.hpp"
+#include "fred/tableaus/tableaus.hpp"
 
 namespace animado::fred {
 namespace {
-
-constexpr size_t kWidth = ANIMADO_LANE_BYTES / sizeof(double);
-
-#if ANIMADO_LANE_BYTES == 8
-using Lane = double;
-using UnalignedLane = double;
-#else
-using Lane = double __attribute__((vector_size(ANIMADO_LANE_BYTES)));
-using UnalignedLane = double __attribute__((vector_size(ANIMADO_LANE_BYTES), aligned(8), may_alias));
-#endif
-
-#define ANIMADO_INLINE [[gnu::always_inline]] inline
-
-ANIMADO_INLINE Lane at(const double* p, size_t element) {
-  return *reinterpret_cast<const UnalignedLane*>(p + element);
-}
-
-ANIMADO_INLINE void put(double* p, size_t element, Lane lane) {
-  *reinterpret_cast<UnalignedLane*>(p + element) = lane;
-}
 
 template <int kTerms>
 struct Terms {
@@ -55,32 +38,6 @@ void combine(const double* y, const double* const* k, const Sum& sum, double h, 
              size_t end) {
   const Terms<kTerms> terms(k, sum);
   for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + h * terms(e));
-}
-
-// A sum over 0 · v, which is 0, or NaN for what is not finite.
-struct Probe {
-  Lane sum = {};
-  ANIMADO_INLINE void see(Lane v) { sum += 0 * v; }
-  ANIMADO_INLINE bool is_finite() const {
-    double lanes[kWidth];
-    put(lanes, 0, sum);
-    double total = 0;
-    for (size_t i = 0; i < kWidth; ++i) total += lanes[i];
-    return total == 0;
-  }
-};
-
-template <int kTerms>
-bool combine_end(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t begin,
-                 size_t end) {
-  const Terms<kTerms> terms(k, sum);
-  Probe probe;
-  for (size_t e = begin; e < end; e += kWidth) {
-    const Lane v = at(y, e) + h * terms(e);
-    probe.see(v);
-    put(out, e, v);
-  }
-  return probe.is_finite();
 }
 
 #if ANIMADO_LANE_BYTES <= 32  // running sums come in fours
@@ -158,10 +115,21 @@ void square_two_errors(const double* y, const double* y_end, const double* const
 #endif
 
 bool are_finite(const double* v, size_t begin, size_t end) {
-  Probe probe;
-  for (size_t e = begin; e < end; e += kWidth) probe.see(at(v, e));
-  return probe.is_finite();
+  Lane sum = {};  // of 0 · v, which is 0, or NaN for what is not finite
+  for (size_t e = begin; e < end; e += kWidth) sum += 0 * at(v, e);
+  double lanes[kWidth], total = 0;
+  put(lanes, 0, sum);
+  for (const double lane : lanes) total += lane;
+  return total == 0;
 }
+
+template <const auto&... kMethods>
+struct StepsOf {
+  static constexpr void (*kAll[])(const Steps&) = {take_steps<kMethods>...};
+  constexpr StepsOf(ListOf<kMethods...>) {}
+};
+
+constexpr StepsOf kSteps = EveryMethod();
 
 }  // namespace
 
@@ -174,7 +142,7 @@ bool are_finite(const double* v, size_t begin, size_t end) {
 const LaneKernels ANIMADO_LANE_KERNELS = {
     kWidth,
     ANIMADO_OF_EACH_COUNT(combine),
-    ANIMADO_OF_EACH_COUNT(combine_end),
+    kSteps.kAll,
     are_finite,
 #if ANIMADO_LANE_BYTES <= 32
     {{}, ANIMADO_OF_EACH_COUNT(square_error), ANIMADO_OF_EACH_COUNT(square_two_errors)}

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <stddef.h>
+#include <stdint.h>
 
 namespace animado::fred {
 
@@ -26,6 +27,25 @@ struct ErrorScale {
   size_t stride;
 };
 
+// Puts f(t, y) into `rate`, `size` numbers.
+struct RateFunction {
+  void* object;
+  void (*call)(void* object, double t, const double* y, double* rate, size_t size);
+};
+
+// `count` steps of one length, step i from t = origin + i · step; the first, i = first, from y and k[0] =
+// f(t, y) to `end`, the next one back, and so on.
+struct Steps {
+  RateFunction rate;
+  double origin, step;
+  int64_t first, count;
+  double *y, *end;
+  double* const* k;
+  double* stage;
+  size_t size;   // of the state
+  size_t lanes;  // of what is worked on, a multiple of `width`
+};
+
 // One kernel for each number of terms, so that the loop over them is unrolled; [0] is not used. Each works on
 // the elements from `begin` to `end`, a multiple of `width` in number, at any address.
 struct LaneKernels {
@@ -35,9 +55,9 @@ struct LaneKernels {
   // verner87 in 400 steps, 2 of dop853.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
                                   double* out, size_t begin, size_t end);
-  // The same; tells whether all of it is finite.
-  bool (*combine_end[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
-                                      double* out, size_t begin, size_t end);
+  // Of each of EveryMethod, compiled for its coefficients alone. The same bits as with `combine`, where no
+  // number is so small that it has fewer digits.
+  void (*const* steps)(const Steps& steps);
   bool (*are_finite)(const double* v, size_t begin, size_t end);
   // Of each estimate, running[i mod 4] += (sum_i · (1 / scale_i))², in the order of i. All estimates have the
   // rows of the first. None for AVX-512.

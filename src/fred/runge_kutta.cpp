@@ -78,14 +78,20 @@ std::span<const double> RungeKutta::known_rate(bool at_start) const {
   return {k_[at_start ? 0 : stages_], size_};
 }
 
-bool RungeKutta::attempt(double t, double h) {
-  rate(t);
+void RungeKutta::set_y(std::span<const double> y) {
+  std::ranges::copy(y, y_);
+  knows_rate_ = knows_end_ = knows_dense_ = false;
+}
+
+void RungeKutta::attempt(double origin, double h, int64_t first, int64_t count) {
+  rate(origin + static_cast<double>(first) * h);
   h_ = h;
+  t_ = origin + static_cast<double>(first + count - 1) * h;
   knows_end_ = knows_dense_ = false;
-  for (size_t s = 1; s < stages_; ++s) evaluate_stage(s);
-  const Sum& end = places_[stages_].sum;
-  end_is_finite_ = lanes_.kernels.combine_end[end.count](y_, k_.data(), end, h, end_, 0, lanes_.end);
-  return true;
+  lanes_.kernels.steps[method_.number](
+      {derivative_.function(), origin, h, first, count, y_, end_, k_.data(), stage_, size_, lanes_.end});
+  evaluations_ += count * static_cast<int64_t>(stages_) - 1;
+  if (count % 2 == 0) std::swap(y_, end_);
 }
 
 void RungeKutta::evaluate_end() {

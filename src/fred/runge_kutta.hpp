@@ -26,12 +26,19 @@ class RungeKutta {
   // f at the start; evaluated when it is not known yet.
   std::span<const double> rate(double t);
   void set_rate(std::span<const double> rate);
+  void set_y(std::span<const double> y);  // goes back to it; f is not known there
   // f at the start, or at the end of the last try; empty where it was not needed yet.
   std::span<const double> known_rate(bool at_start) const;
 
-  // Computes the end of a step from (t, y), which always works. It may be tried again with another length.
-  bool attempt(double t, double h);
-  bool end_is_finite() const { return end_is_finite_; }
+  // Computes the end of the step from (t, y), which always works. It may be tried again with another length.
+  bool attempt(double t, double h) {
+    attempt(t, h, 0, 1);
+    return true;
+  }
+  // The end of the last of `count` steps, the first of them from (origin + first · h, y). Nobody looks at
+  // what is between, but a number that is not finite stays so.
+  void attempt(double origin, double h, int64_t first, int64_t count);
+  bool end_is_finite() const { return lanes_.kernels.are_finite(end_, 0, lanes_.end); }
 
   // Of the last try: its estimated error over the tolerance, root mean square over the elements (the DOP853
   // combination of two estimates where the method has them). At most 1 is acceptable.
@@ -65,7 +72,7 @@ class RungeKutta {
   std::array<double*, kMostDerivatives> k_ = {};
   double *y_, *end_, *stage_;
   double t_ = 0, h_ = 0;
-  bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false, end_is_finite_ = true;
+  bool knows_rate_ = false, knows_end_ = false, knows_dense_ = false;
   int64_t evaluations_ = 0;
 };
 

@@ -32,6 +32,7 @@ struct Place {
 
 struct Tableau {
   std::string name, reference;
+  size_t number;                // in EveryMethod and tableaus()
   int order;                    // of convergence
   std::vector<double> nodes;    // c
   std::vector<double> weights;  // b
@@ -45,7 +46,7 @@ struct Tableau {
   std::vector<std::vector<double>> extra_matrix = {};  // a of them, row i over (stages + 1 + i) derivatives
   std::vector<std::vector<double>> dense = {};         // d, over all derivatives
 
-  // The same numbers as the kernels read them; see with_sums.
+  // The same numbers as the kernels read them.
   std::vector<Place> places = {};   // of each derivative
   std::vector<Sum> estimates = {};  // of the error; all read the same derivatives
 
@@ -65,9 +66,6 @@ struct Tableau {
     return s > stages() ? extra_nodes[s - stages() - 1] : s == stages() ? 1 : nodes[s];
   }
 };
-
-// Fills `places` and `estimates`.
-Tableau with_sums(Tableau tableau);
 
 // All of them, the default first.
 const std::vector<Tableau>& tableaus();

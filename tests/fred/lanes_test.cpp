@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "fred/tableau.hpp"
+
 namespace animado::fred {
 namespace {
 
@@ -57,13 +59,70 @@ TEST_P(Lanes, Combine) {
     for (size_t i = 0; i < kSize; ++i) {
       EXPECT_EQ(out[i], i < 4 || i >= 20 ? 9 : y_[i] + 0.1 * sum(0, i)) << kernels->width << " " << i;
     }
-    std::vector<double> end(kSize, 9);
-    EXPECT_TRUE(kernels->combine_end[terms](y_, k_, sums_[0], 0.1, end.data(), 4, 20));
-    EXPECT_EQ(end, out);
-    for (const size_t bad : {4, 11, 19}) {
-      std::vector<double> y(y_, y_ + kSize);
-      y[bad] = -std::numeric_limits<double>::infinity();
-      EXPECT_FALSE(kernels->combine_end[terms](y.data(), k_, sums_[0], 0.1, end.data(), 4, 20));
+  }
+}
+
+// y' of each element from itself and the time alone.
+void rate(void* evaluations, double t, const double* y, double* rate, size_t size) {
+  ++*static_cast<int*>(evaluations);
+  for (size_t i = 0; i < size; ++i) rate[i] = 0.3 * t - y[i] * (1 + 0.1 * y[i]);
+}
+
+class LaneSteps : public testing::TestWithParam<Tableau> {};
+
+INSTANTIATE_TEST_SUITE_P(, LaneSteps, testing::ValuesIn(tableaus()),
+                         [](const auto& tested) { return tested.param.name; });
+
+// The bits of the tableau's sums taken one after the other, element by element; an odd and an even number of
+// steps, which end in one or the other of the two states.
+TEST_P(LaneSteps, AreTheSumsOfTheTableau) {
+  const Tableau& method = GetParam();
+  const double origin = 0.7, h = 0.11;
+  const int64_t first = 3;
+  constexpr size_t kUnknowns = 13, kRow = 16;
+  std::vector<double> y(kUnknowns);
+  for (size_t i = 0; i < kUnknowns; ++i) y[i] = std::sin(static_cast<double>(i) + 0.4);
+  const std::vector<double> start = y;
+  for (int64_t count = 1; count <= 4; ++count) {
+    int ignored = 0;
+    const double t = origin + static_cast<double>(first + count - 1) * h;
+    std::vector<std::vector<double>> k(method.stages(), std::vector<double>(kUnknowns));
+    std::vector<double> stage = y, begin = y;
+    for (size_t s = 0; s <= method.stages(); ++s) {
+      for (size_t i = 0; i < kUnknowns && s > 0; ++i) {
+        const Sum& sum = method.places[s].sum;
+        double total = sum.coefficients[0] * k[sum.rows[0]][i];
+        for (int j = 1; j < sum.count; ++j) total += sum.coefficients[j] * k[sum.rows[j]][i];
+        stage[i] = begin[i] + h * total;
+      }
+      if (s < method.stages()) {
+        rate(&ignored, t + method.node(s) * h, stage.data(), k[s].data(), kUnknowns);
+      }
+    }
+    y = stage;
+    for (const LaneKernels* kernels : kernels_of_this_machine()) {
+      alignas(64) double states[2][kRow] = {}, rates[kMostDerivatives][kRow] = {}, at_stage[kRow] = {};
+      std::ranges::copy(start, states[0]);
+      double* rows[kMostDerivatives];
+      for (size_t s = 0; s < kMostDerivatives; ++s) rows[s] = rates[s];
+      int evaluations = 0;
+      rate(&evaluations, origin + static_cast<double>(first) * h, states[0], rows[0], kUnknowns);
+      kernels->steps[method.number]({{&evaluations, rate},
+                                     origin,
+                                     h,
+                                     first,
+                                     count,
+                                     states[0],
+                                     states[1],
+                                     rows,
+                                     at_stage,
+                                     kUnknowns,
+                                     kRow});
+      EXPECT_EQ(evaluations, count * static_cast<int64_t>(method.stages()));
+      for (size_t i = 0; i < kUnknowns; ++i) {
+        ASSERT_EQ(states[count % 2][i], y[i]) << kernels->width << " element " << i << " step " << count;
+        ASSERT_EQ(states[1 - count % 2][i], begin[i]);
+      }
     }
   }
 }

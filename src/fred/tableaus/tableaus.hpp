@@ -1,14 +1,17 @@
-// Where the numbers of the methods stand: classical.cpp those without an error estimate, embedded.cpp the
-// pairs of low order, dop853.cpp and verner87.cpp the pairs of eighth order.
+// The explicit methods, the default first: the one list from which tableaus() is made and steps are compiled.
 #pragma once
 
-#include "fred/tableau.hpp"
+#include "fred/tableaus/classical.hpp"
+#include "fred/tableaus/dop853.hpp"
+#include "fred/tableaus/embedded.hpp"
+#include "fred/tableaus/verner87.hpp"
 
 namespace animado::fred {
 
-std::vector<Tableau> classical_tableaus();
-std::vector<Tableau> embedded_tableaus();
-Tableau dop853_tableau();
-Tableau verner87_tableau();
+template <const auto&... kMethods>
+struct ListOf {};
+
+using EveryMethod = ListOf<kRk4, kGill, kRk38, kHeun3, kMidpoint, kHeun, kEuler, kBs23, kFehlberg45,
+                           kCashKarp, kDopri5, kDop853, kVerner87>;
 
 }  // namespace animado::fred
