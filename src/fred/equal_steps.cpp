@@ -52,7 +52,6 @@ Stepper::Outcome EqualSteps<RungeKutta>::take_whole(int64_t count) {
   before_.assign(core_.y().begin(), core_.y().end());
   core_.attempt(times_.origin, times_.step, times_.done, count);
   if (core_.end_is_finite()) {
-    from_ = times_.after(times_.done + count - 1);
     finish_steps(count, times_.after(times_.done + count));
     return Outcome::stepped;
   }
