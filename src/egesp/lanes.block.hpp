@@ -43,21 +43,45 @@ struct Source {
   size_t stride;
 };
 
-// x_k ← b_k / a_kk; b_i ← b_i − a_ik x_k, for k = n−1 … 0. Returns a sum over the solution: finite only if
-// all of it is.
+// x_k ← b_k / a_kk; b_i ← b_i − a_ik x_k above it, for k = end − 1, … end − kCount: these unknowns first,
+// then each b_i above is read and written once for all of them. Returns `sum` and what they add to it.
+template <int kCount, int N, int M>
+ANIMADO_INLINE Lane solve_unknowns(Block<N, M>& block, Lane* b, int end, Lane sum) {
+  const Lane* a[kCount];
+  Lane x[kCount];
+#pragma GCC unroll 8
+  for (int s = 0; s < kCount; ++s) {
+    const int k = end - 1 - s;
+    a[s] = block.column(k);
+    x[s] = b[k];
+#pragma GCC unroll 8
+    for (int t = 0; t < s; ++t) x[s] -= a[t][k] * x[t];
+    x[s] *= block.inverse[k];
+    sum += x[s];
+  }
+#pragma GCC unroll 8
+  for (int s = 0; s < kCount; ++s) b[end - 1 - s] = x[s];
+  for (int i = end - kCount - 1; i >= 0; --i) {
+    Lane v = b[i];
+#pragma GCC unroll 8
+    for (int s = 0; s < kCount; ++s) v -= a[s][i] * x[s];
+    b[i] = v;
+  }
+  return sum;
+}
+
+// Returns a sum over the solution: finite only if all of it is.
 template <int N, int M>
 ANIMADO_INLINE Lane sweep_upward(Block<N, M>& block) {
-  const int n = block.n();
   Lane sum = {};
-  each<N>(n, block.columns(), [&](int j) {
-    Lane* b = block.column(j);
-    each<N>(0, n, [&](int from_last) {
-      const int k = n - 1 - from_last;
-      const Lane* a = block.column(k);
-      b[k] *= block.inverse[k];
-      sum += b[k];
-      each<N>(0, k, [&](int i) { b[i] -= a[i] * b[k]; });
-    });
+  each<N>(block.n(), block.columns(), [&](int j) {
+    int end = block.n();
+    if constexpr (N > 0) {
+      sum = solve_unknowns<N>(block, block.column(j), end, sum);
+    } else {
+      for (; end >= 4; end -= 4) sum = solve_unknowns<4>(block, block.column(j), end, sum);
+      for (; end > 0; --end) sum = solve_unknowns<1>(block, block.column(j), end, sum);
+    }
   });
   return sum;
 }
