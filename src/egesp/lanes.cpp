@@ -47,11 +47,12 @@ template <bool kComplete, int N, int M>
 void solve_unrolled(const LaneBatch& batch) {
   Block<N, M> block(N, M);
   for (size_t first = 0; first < batch.count; first += kWidth) {
+    const Source from = source(batch, first);
     if constexpr (kComplete) {
       number_order(block);
-      sweep_complete(block, source(batch, first));
+      sweep_complete(block, from);
     } else {
-      sweep_partial(block, source(batch, first));
+      sweep_partial(block, [&](int j) { load_column(block, from, j); });
     }
     finish<kComplete>(block, batch, first);
   }

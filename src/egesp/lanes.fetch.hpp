@@ -18,6 +18,11 @@ class Fetch {
  public:
   static constexpr size_t kAhead = 64;  // of 32×32, half a megabyte
 
+  // As many lines for each column that changes its rows, for each in which one step or two are eliminated,
+  // and for each of the last steps that is loaded or stored, make up all matrices by the end of a block.
+  static constexpr int kChanging = kWidth / 8, kEliminating = 1, kEliminatingTwo = kWidth == 2 ? 1 : 2,
+                       kLoading = kWidth / 2, kStoring = kWidth / 8;
+
   // What follows are `elements` streams, of which kAhead numbers from `next` on are fetched.
   void start(const double* next, size_t elements, size_t stride) {
     next_ = reinterpret_cast<uintptr_t>(next);

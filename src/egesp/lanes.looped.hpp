@@ -7,11 +7,12 @@
 // of the pivots, which are needed at once, under masks.
 //
 // With partial pivoting two steps go together: the columns of their pivots first, then every other column is
-// read and written once for both.
+// read and written once for both. The last steps are those of a small block.
 #pragma once
 
 #include "egesp/lanes.block.hpp"
 #include "egesp/lanes.fetch.hpp"
+#include "egesp/lanes.last_steps.hpp"
 
 namespace animado::egesp {
 namespace {
@@ -99,8 +100,9 @@ class LoopedSweep {
   // largest: |a_i0|. A pivot is looked for as soon as its column is ready: most of the search is waiting,
   // during which the processor goes on to the other columns.
   ANIMADO_INLINE void partial(Lane largest) {
+    const int last = last_steps(), end = n_ - last;
     Choice first = choose_pivot(0, largest);
-    for (int k = 0; k + 1 < n_; k += 2) {
+    for (int k = 0; k + 1 < end; k += 2) {
       Largest next;
       eliminate(k, k + 1, changed(first, k + 1, k), [&](Lane v, int, int r) { next.see(absolute(v), r); });
       const Choice second = choose_pivot(k + 1, next.of_all());
@@ -109,9 +111,11 @@ class LoopedSweep {
       each_row(k + 2, n_, [&](int i, int) { column(k)[i] = factors(i); });
       change_rows(second, k + 1, k, k + 2);
       int j = k + 2;
-      if (j < n_) first = choose_pivot(j++, eliminate_two_in_next(k));
+      if (j < end) first = choose_pivot(j++, eliminate_two_in_next(k));
       eliminate_two(k, j);
     }
+    if (last == kLastSteps) take_last_steps<kLastSteps>(block_, fetch_);
+    if (last == kLastSteps - 1) take_last_steps<kLastSteps - 1>(block_, fetch_);
   }
 
   ANIMADO_INLINE void complete() {
@@ -131,7 +135,7 @@ class LoopedSweep {
       for (int j = k + 1; j < columns_; ++j) {
         const auto row = [&](int i) { return column(j)[i]; };
         eliminate(k, j, row, [&](Lane v, int i, int) { measure(k + 1, j, i, v); });
-        if constexpr (!kKeep) fetch_.lines<kFetchEliminating>();
+        if constexpr (!kKeep) fetch_.lines<Fetch::kEliminating>();
       }
     }
   }
@@ -159,16 +163,17 @@ class LoopedSweep {
     }
   }
 
+  // Those that are not taken two at a time here. Factors that are kept would follow their rows.
+  static constexpr int kLastSteps = 6;
+  ANIMADO_INLINE int last_steps() const {
+    return kKeep || columns_ != n_ + 1 || n_ <= kLastSteps ? 0 : kLastSteps - n_ % 2;
+  }
+
   // They are few: all at once.
   ANIMADO_INLINE void fetch_sides(const Source& now) {
     for (int e = 0; e < n_ * (columns_ - n_); ++e)
       __builtin_prefetch(now.right_sides + static_cast<size_t>(e) * now.stride + 2 * kLaneGroup);
   }
-
-  // As many lines for each column that changes its rows, and for each in which one step or two are
-  // eliminated, make up all matrices by the end of a block.
-  static constexpr int kFetchChanging = kWidth / 8, kFetchEliminating = 1,
-                       kFetchEliminatingTwo = kWidth == 2 ? 1 : 2;
 
   ANIMADO_INLINE Lane* column(int j) {
     return block_.column(j);
@@ -215,7 +220,7 @@ class LoopedSweep {
     Lane* c = column(begin);
     for (int j = begin; j < columns_; ++j, c += block_.column_stride()) {
       change_places(choice, c, c[k]);
-      if constexpr (!kKeep) fetch.lines<kFetchChanging>();
+      if constexpr (!kKeep) fetch.lines<Fetch::kChanging>();
     }
     fetch_ = fetch;
   }
@@ -260,7 +265,7 @@ class LoopedSweep {
     Lane* c = column(j) + k + 2;
     const Lane top = c[-2], second = c[-1] - between * top;
     c[-1] = second;
-    if constexpr (!kKeep) fetch.lines<kFetchEliminatingTwo>();
+    if constexpr (!kKeep) fetch.lines<Fetch::kEliminatingTwo>();
     rows([&](int i) { return c[i] = c[i] - f[i] * top - g[i] * second; });
   }
 

@@ -103,17 +103,18 @@ ANIMADO_INLINE void subtract(Block<N, M>& block, int k, Lane* column) {
   each<N>(k + 1, block.n(), [&](int i) { column[i] -= factor[i] * top; });
 }
 
-template <int N, int M>
-ANIMADO_INLINE void sweep_partial(Block<N, M>& block, const Source& source) {
+// load(j): brings column j, before the first step.
+template <int N, int M, class Load>
+ANIMADO_INLINE void sweep_partial(Block<N, M>& block, const Load& load) {
   const int n = block.n(), columns = block.columns();
   Masks<N> choices[2];  // of this step and of the next
-  load_column(block, source, 0);
+  load(0);
   find_pivot(block, 0, choices[0]);
   each<N>(0, n, [&](int k) {
     const Masks<N>& choice = choices[k % 2];
     const auto next = [&](int j) {
       Lane* column = block.column(j);
-      if (k == 0) load_column(block, source, j);
+      if (k == 0) load(j);
       change_rows<N>(choice, k, column);
       subtract(block, k, column);
     };

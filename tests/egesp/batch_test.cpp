@@ -139,29 +139,37 @@ TEST_P(EveryInstructionSet, RefusedSystemsAreNamedAndSpoilNoOther) {
 // Wherever it stands: the server looks for such numbers only when a system was refused.
 TEST_P(EveryInstructionSet, ANumberThatIsNotFiniteRefusesItsSystemAlone) {
   Uniform uniform;
-  for (double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    for (size_t element = 0; element < 42; ++element) {
-      Systems systems(16, 6, 1, true, uniform);
-      (element < 36 ? systems.a[element * 16 + 5] : systems.b[(element - 36) * 16 + 5]) = bad;
-      const auto refusals = systems.solve(instructions(), rule());
-      ASSERT_EQ(refusals.size(), 1u) << bad << " at " << element;
-      EXPECT_EQ(refusals[0].system, 5u);
+  for (size_t n : {6, 9}) {
+    for (double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+      for (size_t element = 0; element < n * n + n; ++element) {
+        Systems systems(16, n, 1, true, uniform);
+        (element < n * n ? systems.a[element * 16 + 5] : systems.b[(element - n * n) * 16 + 5]) = bad;
+        const auto refusals = systems.solve(instructions(), rule());
+        ASSERT_EQ(refusals.size(), 1u) << bad << " at " << element;
+        EXPECT_EQ(refusals[0].system, 5u);
+      }
     }
   }
 }
 
 TEST_P(EveryInstructionSet, TheThresholdReachesTheSolver) {
   Uniform uniform;
-  Systems systems(9, 6, 1, false, uniform);
-  for (size_t i = 0; i < 6; ++i) {
-    for (size_t j = 0; j < 6; ++j) systems.a[3 * 36 + i * 6 + j] = i == j ? (i == 4 ? 1e-5 : 1.0) : 0.0;
+  for (size_t n : {6, 9}) {
+    for (size_t small = 0; small < n; ++small) {
+      Systems systems(9, n, 1, false, uniform);
+      for (size_t i = 0; i < n; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+          systems.a[(3 * n + i) * n + j] = i == j ? (i == small ? 1e-5 : 1.0) : 0.0;
+        }
+      }
+      EXPECT_TRUE(systems.solve(instructions(), rule()).empty());
+      const auto refusals = systems.solve(instructions(), rule(1e-4));
+      const auto found = std::ranges::find(refusals, size_t{3}, &Refusal::system);
+      ASSERT_NE(found, refusals.end()) << small << " of " << n;
+      EXPECT_EQ(found->pivot,
+                rule().complete ? n - 1 : small);  // the small one comes last when columns move too
+    }
   }
-  EXPECT_TRUE(systems.solve(instructions(), rule()).empty());
-  const auto refusals = systems.solve(instructions(), rule(1e-4));
-  ASSERT_FALSE(refusals.empty());
-  const auto found = std::ranges::find(refusals, size_t{3}, &Refusal::system);
-  ASSERT_NE(found, refusals.end());
-  EXPECT_EQ(found->pivot, rule().complete ? 5u : 4u);  // the small one comes last when columns move too
 }
 
 TEST(Batch, AnEmptyBatchIsSolved) {
