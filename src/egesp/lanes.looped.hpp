@@ -163,7 +163,8 @@ class LoopedSweep {
     }
   }
 
-  // Those that are not taken two at a time here. Factors that are kept would follow their rows.
+  // How many steps are left to take_last_steps, so that an even number comes before them. Where factors are
+  // kept they would have to follow their rows there too.
   static constexpr int kLastSteps = 6;
   ANIMADO_INLINE int last_steps() const {
     return kKeep || columns_ != n_ + 1 || n_ <= kLastSteps ? 0 : kLastSteps - n_ % 2;

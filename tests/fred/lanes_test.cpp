@@ -68,60 +68,66 @@ void rate(void* evaluations, double t, const double* y, double* rate, size_t siz
   for (size_t i = 0; i < size; ++i) rate[i] = 0.3 * t - y[i] * (1 + 0.1 * y[i]);
 }
 
-class LaneSteps : public testing::TestWithParam<Tableau> {};
+// The end of a step from (t, y): the tableau's sums one after the other, element by element.
+std::vector<double> step(const Tableau& method, double t, double h, const std::vector<double>& y) {
+  std::vector<std::vector<double>> k(method.stages(), y);
+  int evaluations = 0;
+  rate(&evaluations, t, y.data(), k[0].data(), y.size());
+  std::vector<double> stage = y;
+  for (size_t s = 1; s <= method.stages(); ++s) {
+    const auto& [sum, node] = method.places[s];
+    for (size_t i = 0; i < y.size(); ++i) {
+      double total = sum.coefficients[0] * k[sum.rows[0]][i];
+      for (int j = 1; j < sum.count; ++j) total += sum.coefficients[j] * k[sum.rows[j]][i];
+      stage[i] = y[i] + h * total;
+    }
+    if (s < method.stages()) rate(&evaluations, t + node * h, stage.data(), k[s].data(), y.size());
+  }
+  return stage;
+}
+
+class LaneSteps : public testing::TestWithParam<Tableau> {
+ protected:
+  static constexpr double kOrigin = 0.7, kStep = 0.11;
+  static constexpr int64_t kFirst = 3;
+  static constexpr size_t kUnknowns = 13, kRow = 16;
+
+  // The two states after `count` steps from `start`.
+  struct Ends {
+    alignas(64) double states[2][kRow] = {};
+    int evaluations = 0;
+  };
+  static Ends run(const LaneKernels& kernels, const std::vector<double>& start, int64_t count) {
+    Ends ends;
+    alignas(64) double rates[kMostDerivatives][kRow] = {}, stage[kRow] = {};
+    double* rows[kMostDerivatives];
+    for (size_t s = 0; s < kMostDerivatives; ++s) rows[s] = rates[s];
+    auto& [y, end] = ends.states;
+    std::ranges::copy(start, y);
+    rate(&ends.evaluations, kOrigin + static_cast<double>(kFirst) * kStep, y, rows[0], kUnknowns);
+    kernels.steps[GetParam().number](
+        {{&ends.evaluations, rate}, kOrigin, kStep, kFirst, count, y, end, rows, stage, kUnknowns, kRow});
+    return ends;
+  }
+};
 
 INSTANTIATE_TEST_SUITE_P(, LaneSteps, testing::ValuesIn(tableaus()),
                          [](const auto& tested) { return tested.param.name; });
 
-// The bits of the tableau's sums taken one after the other, element by element; an odd and an even number of
-// steps, which end in one or the other of the two states.
+// Bit for bit; an odd and an even number of steps, which end in one or the other of the two states.
 TEST_P(LaneSteps, AreTheSumsOfTheTableau) {
-  const Tableau& method = GetParam();
-  const double origin = 0.7, h = 0.11;
-  const int64_t first = 3;
-  constexpr size_t kUnknowns = 13, kRow = 16;
-  std::vector<double> y(kUnknowns);
-  for (size_t i = 0; i < kUnknowns; ++i) y[i] = std::sin(static_cast<double>(i) + 0.4);
-  const std::vector<double> start = y;
+  std::vector<double> start(kUnknowns);
+  for (size_t i = 0; i < kUnknowns; ++i) start[i] = std::sin(static_cast<double>(i) + 0.4);
+  std::vector<double> y = start;
   for (int64_t count = 1; count <= 4; ++count) {
-    int ignored = 0;
-    const double t = origin + static_cast<double>(first + count - 1) * h;
-    std::vector<std::vector<double>> k(method.stages(), std::vector<double>(kUnknowns));
-    std::vector<double> stage = y, begin = y;
-    for (size_t s = 0; s <= method.stages(); ++s) {
-      for (size_t i = 0; i < kUnknowns && s > 0; ++i) {
-        const Sum& sum = method.places[s].sum;
-        double total = sum.coefficients[0] * k[sum.rows[0]][i];
-        for (int j = 1; j < sum.count; ++j) total += sum.coefficients[j] * k[sum.rows[j]][i];
-        stage[i] = begin[i] + h * total;
-      }
-      if (s < method.stages()) {
-        rate(&ignored, t + method.node(s) * h, stage.data(), k[s].data(), kUnknowns);
-      }
-    }
-    y = stage;
+    const double t = kOrigin + static_cast<double>(kFirst + count - 1) * kStep;
+    const std::vector<double> before = std::exchange(y, step(GetParam(), t, kStep, y));
     for (const LaneKernels* kernels : kernels_of_this_machine()) {
-      alignas(64) double states[2][kRow] = {}, rates[kMostDerivatives][kRow] = {}, at_stage[kRow] = {};
-      std::ranges::copy(start, states[0]);
-      double* rows[kMostDerivatives];
-      for (size_t s = 0; s < kMostDerivatives; ++s) rows[s] = rates[s];
-      int evaluations = 0;
-      rate(&evaluations, origin + static_cast<double>(first) * h, states[0], rows[0], kUnknowns);
-      kernels->steps[method.number]({{&evaluations, rate},
-                                     origin,
-                                     h,
-                                     first,
-                                     count,
-                                     states[0],
-                                     states[1],
-                                     rows,
-                                     at_stage,
-                                     kUnknowns,
-                                     kRow});
-      EXPECT_EQ(evaluations, count * static_cast<int64_t>(method.stages()));
+      const Ends ends = run(*kernels, start, count);
+      EXPECT_EQ(ends.evaluations, count * static_cast<int64_t>(GetParam().stages()));
       for (size_t i = 0; i < kUnknowns; ++i) {
-        ASSERT_EQ(states[count % 2][i], y[i]) << kernels->width << " element " << i << " step " << count;
-        ASSERT_EQ(states[1 - count % 2][i], begin[i]);
+        ASSERT_EQ(ends.states[count % 2][i], y[i]) << kernels->width << " element " << i << " step " << count;
+        ASSERT_EQ(ends.states[1 - count % 2][i], before[i]);
       }
     }
   }
