@@ -44,13 +44,19 @@ Stepper::Outcome EqualSteps<Core>::take_one_by_one(int64_t count) {
   return Outcome::stepped;
 }
 
-// All at once. Where they end in what is not finite, again and one by one, which tells where that began.
+// All at once. Where they end in what is not finite, again and one by one, which tells where that began. What
+// f throws leaves the state as it was before.
 template <>
 Stepper::Outcome EqualSteps<RungeKutta>::take_whole(int64_t count) {
   if (count == 0) return Outcome::stepped;
   accept_pending();
   before_.assign(core_.y().begin(), core_.y().end());
-  core_.attempt(times_.origin, times_.step, times_.done, count);
+  try {
+    core_.attempt(times_.origin, times_.step, times_.done, count);
+  } catch (...) {
+    core_.set_y(before_);
+    throw;
+  }
   if (core_.end_is_finite()) {
     finish_steps(count, times_.after(times_.done + count));
     return Outcome::stepped;

@@ -266,6 +266,31 @@ TEST(Integrate, EqualStepsStopBeforeWhatIsNotFinite) {
   }
 }
 
+// Inside many steps, at any stage: the stepper stands where it stood before them, and goes on from there.
+TEST(Integrate, WhatTheRateThrowsLosesNoState) {
+  const Stepper::Reach far = {10, 10, 50};
+  Function whole = oscillate;
+  const auto undisturbed = equal_stepper(method_named("rk4"), problem_of(whole, {1, 0}), 0.01);
+  undisturbed->advance(far);
+  const std::vector<double> y(undisturbed->y().begin(), undisturbed->y().end());
+  undisturbed->advance(far);
+  for (int last = 1; last <= 9; ++last) {
+    int left = 50 * 4 + last;
+    Function weak = [&](double t, auto state, auto rate) {
+      if (left-- == 0) throw std::runtime_error("no more");
+      oscillate(t, state, rate);
+    };
+    const auto stepper = equal_stepper(method_named("rk4"), problem_of(weak, {1, 0}), 0.01);
+    stepper->advance(far);
+    EXPECT_THROW(stepper->advance(far), std::runtime_error);
+    EXPECT_EQ(stepper->t(), 0.5);
+    EXPECT_EQ(std::vector(stepper->y().begin(), stepper->y().end()), y) << last;
+    stepper->advance(far);
+    EXPECT_EQ(std::vector(stepper->y().begin(), stepper->y().end()),
+              std::vector(undisturbed->y().begin(), undisturbed->y().end()));
+  }
+}
+
 TEST(Integrate, StopsWhereTheRateIsNotFinite) {
   const Function root = [](double, auto y, auto rate) { rate[0] = std::sqrt(y[0]); };
   const Solution solution = adaptively("dopri5", root, {-1}, 2, 1e-9);
