@@ -34,14 +34,18 @@ class Written {
 
 TEST(ProgressBar, IsAsLongAsTheWorkThatIsDone) {
   EXPECT_EQ(progress_bar(0), "[                    ]");
+  EXPECT_EQ(progress_bar(0.499), "[=========           ]");
   EXPECT_EQ(progress_bar(0.5), "[==========          ]");
   EXPECT_EQ(progress_bar(1), "[====================]");
 }
 
 TEST(TimeLeft, IsWhatTheWorkTookSoFarSaysOfTheRest) {
   EXPECT_EQ(time_left(0.5, 2), ", 2 s left");
+  EXPECT_EQ(time_left(0.5, 60), ", 1 min left");
   EXPECT_EQ(time_left(0.25, 600), ", 30 min left");
+  EXPECT_EQ(time_left(0.5, 3600), ", 1.0 h left");
   EXPECT_EQ(time_left(0.25, 3600), ", 3.0 h left");
+  EXPECT_EQ(time_left(0.5, 0), "");
   EXPECT_EQ(time_left(0, 2), "");
   EXPECT_EQ(time_left(1, 2), "");
 }
@@ -59,6 +63,28 @@ TEST(ProgressLine, WritesOverOneLineOfATerminalAndTakesItOff) {
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("frame 2 of")));
   EXPECT_THAT(text, testing::HasSubstr("frame 3 of"));
   EXPECT_THAT(text, testing::EndsWith("\r\x1b[K"));
+}
+
+TEST(ProgressLine, IsDrawnAgainAsSoonAsItCanBeRead) {
+  Written written;
+  ProgressLine line(Style::terminal, written.file(), {});
+  show(line, 1, ProgressLine::Time{} + seconds(1));
+  show(line, 2, ProgressLine::Time{} + seconds(1) + milliseconds(100));
+  EXPECT_THAT(written.text(), testing::HasSubstr("frame 2 of"));
+}
+
+TEST(ProgressLine, IsTakenOffOnceAndMayComeAgain) {
+  Written written;
+  ProgressLine line(Style::terminal, written.file(), {});
+  line.clear();
+  EXPECT_EQ(written.text(), "");
+  show(line, 1, ProgressLine::Time{} + seconds(1));
+  line.clear();
+  const std::string taken_off = written.text();
+  line.clear();
+  EXPECT_EQ(written.text(), taken_off);
+  show(line, 2, ProgressLine::Time{} + seconds(1));  // nobody reads the one before any more
+  EXPECT_THAT(written.text(), testing::HasSubstr("frame 2 of"));
 }
 
 TEST(ProgressLine, WritesRareLinesElsewhere) {
