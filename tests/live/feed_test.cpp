@@ -89,5 +89,17 @@ TEST_F(FeedTest, OfALongLogTheEndIsTold) {
   EXPECT_EQ(messages[0]["lines"], Json({"last"}));
 }
 
+TEST_F(FeedTest, OfManyLinesTheLastThatFitAreTold) {
+  std::string lines;
+  for (int i = 0; i < 10'000; ++i) lines += "line " + std::to_string(i) + '\n';
+  append("logs/fred.log", lines);
+  const auto messages = take();
+  ASSERT_EQ(messages.size(), 1);
+  const Json& told = messages[0]["lines"];
+  EXPECT_EQ(told.back(), "line 9999");
+  EXPECT_GT(told.size(), 3000);  // of ten bytes each, 32 KiB
+  EXPECT_LT(told.size(), 3300);
+}
+
 }  // namespace
 }  // namespace animado::live

@@ -12,7 +12,6 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "live/token.hpp"
 #include "rpc/line_reader.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -245,15 +244,6 @@ TEST_F(WatchTest, APortThatIsTakenIsToldWithARemedy) {
   } catch (const Error& error) {
     EXPECT_EQ(error.where(), "--port");
   }
-}
-
-TEST(Token, IsAnotherEachTime) {
-  const std::string token = random_token();
-  EXPECT_EQ(token.size(), 32);
-  EXPECT_NE(token, random_token());
-  EXPECT_TRUE(same_token(token, token));
-  EXPECT_FALSE(same_token(token, token.substr(1)));
-  EXPECT_FALSE(same_token(token, std::string(32, 'x')));
 }
 
 }  // namespace
