@@ -16,6 +16,9 @@ TEST(Token, IsAnotherEachTime) {
 TEST(Token, IsTheSameOnlyWhole) {
   EXPECT_TRUE(same_token("0123", "0123"));
   EXPECT_TRUE(same_token("", ""));
+  const std::string_view whole = "0123", part = whole.substr(0, 3);  // behind which the rest stands
+  EXPECT_FALSE(same_token(whole, part));
+  EXPECT_FALSE(same_token(part, whole));
   for (const char* other : {"", "012", "01234", "1123", "0124", "3210"}) {
     EXPECT_FALSE(same_token("0123", other)) << other;
     EXPECT_FALSE(same_token(other, "0123")) << other;
