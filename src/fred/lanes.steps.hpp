@@ -1,6 +1,5 @@
-// The steps of one method as one function, with its coefficients as constants. Beside sums whose coefficients
-// are read when it runs that takes a hundredth off seven stars and a tenth off a thousand tops: what counts
-// is how many instructions stand between two evaluations.
+// The steps of one method as one function, with its coefficients as constants: what counts where the rate is
+// quick is how many instructions stand between two evaluations.
 #pragma once
 
 #include "fred/lanes.hpp"
