@@ -143,7 +143,23 @@ struct Describe {
   };
 };
 
-using CommonMessages = std::tuple<Hello, Ping, Statistics, Describe>;
+struct OpenMailbox {
+  static constexpr auto name = "mailbox"sv;
+  static constexpr auto doc =
+      "Opens a mailbox beside the connection: memory and two bells, whose descriptors come with the reply "
+      "(SCM_RIGHTS). Short calls may then go through it. "
+      "Asked again, it hands over the same one. Code limit when too many clients have one: the socket does all that a mailbox does."sv;
+  using Request = Nothing;
+  struct Reply {
+    int64_t room = 0;
+    template <class Self, class F>
+    static void fields(Self& s, F&& field) {
+      field("room", s.room, "bytes of a letter");
+    }
+  };
+};
+
+using CommonMessages = std::tuple<Hello, Ping, Statistics, Describe, OpenMailbox>;
 
 // --- asked of interexpserv
 

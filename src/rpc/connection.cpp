@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <span>
 
 namespace animado::rpc {
 namespace {
@@ -15,33 +16,39 @@ constexpr size_t kKeptRoom =
     1 << 20;  // bytes; a buffer that grew beyond this for one large message is given back
 
 union DescriptorSpace {
-  char bytes[CMSG_SPACE(sizeof(int))];  // for one: the kernel closes what is sent beyond it
+  char bytes[CMSG_SPACE(Connection::kMaxDescriptors * sizeof(int))];  // the kernel closes what is sent beyond
   cmsghdr alignment;
 };
 
-UniqueFd descriptor_in(msghdr& header) {
+std::vector<UniqueFd> descriptors_in(msghdr& header) {
+  std::vector<UniqueFd> found;
   for (cmsghdr* part = CMSG_FIRSTHDR(&header); part != nullptr; part = CMSG_NXTHDR(&header, part)) {
     if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_RIGHTS) continue;
-    int fd;
-    std::memcpy(&fd, CMSG_DATA(part), sizeof fd);
-    return UniqueFd(fd);
+    for (size_t i = 0; CMSG_LEN((i + 1) * sizeof(int)) <= part->cmsg_len; ++i) {
+      int fd;
+      std::memcpy(&fd, CMSG_DATA(part) + i * sizeof fd, sizeof fd);
+      found.emplace_back(fd);
+    }
   }
-  return {};
+  return found;
 }
 
-ssize_t send_with(int socket, std::string_view bytes, int descriptor) {
+ssize_t send_with(int socket, std::string_view bytes, std::span<const UniqueFd> descriptors) {
   DescriptorSpace space{};
   iovec part{const_cast<char*>(bytes.data()), bytes.size()};
   msghdr header{};
   header.msg_iov = &part;
   header.msg_iovlen = 1;
   header.msg_control = space.bytes;
-  header.msg_controllen = sizeof space.bytes;
+  header.msg_controllen = CMSG_SPACE(descriptors.size() * sizeof(int));
   cmsghdr* control = CMSG_FIRSTHDR(&header);
   control->cmsg_level = SOL_SOCKET;
   control->cmsg_type = SCM_RIGHTS;
-  control->cmsg_len = CMSG_LEN(sizeof descriptor);
-  std::memcpy(CMSG_DATA(control), &descriptor, sizeof descriptor);
+  control->cmsg_len = CMSG_LEN(descriptors.size() * sizeof(int));
+  for (size_t i = 0; i < descriptors.size(); ++i) {
+    const int fd = descriptors[i].get();
+    std::memcpy(CMSG_DATA(control) + i * sizeof fd, &fd, sizeof fd);
+  }
   return ::sendmsg(socket, &header, MSG_DONTWAIT | MSG_NOSIGNAL);
 }
 
@@ -64,13 +71,21 @@ void Connection::make_room() {
 // has read what was sent to it, and on one core the sleeper takes the core from the peer, in vain, at each
 // message. A poll wakes for what it waits for.
 Connection::Received Connection::receive_by(Clock::time_point deadline) {
-  return wait_until(fd_.get(), POLLIN, deadline) ? receive() : Received::nothing;
+  if (has_letter()) return receive();
+  const bool ready = either_ ? wait_for_either(deadline) : wait_until(fd_.get(), POLLIN, deadline);
+  return ready ? receive() : Received::nothing;
+}
+
+bool Connection::wait_for_either(Clock::time_point deadline) {
+  const int left_ms = milliseconds_until(deadline);
+  return left_ms > 0 && !either_->wait(left_ms).empty();
 }
 
 Connection::Received Connection::receive() {
+  if (begin_ == end_ && has_letter()) return receive_letter();  // never in the middle of a message
   make_room();
   const ssize_t count = descriptors_ == Descriptors::taken
-                            ? receive_with_descriptor()
+                            ? receive_with_descriptors()
                             : ::recv(fd_.get(), in_.data() + end_, in_.size() - end_, MSG_DONTWAIT);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Received::nothing;
   if (count <= 0) return Received::closed;
@@ -78,7 +93,17 @@ Connection::Received Connection::receive() {
   return Received::bytes;
 }
 
-ssize_t Connection::receive_with_descriptor() {
+Connection::Received Connection::receive_letter() {
+  make_room();
+  static_assert(kFirstRoom >= Mailbox::kRoom);
+  const auto size = mailbox_->take(in_.data());
+  if (!size) return Received::closed;  // a peer that says what cannot be is no peer
+  end_ = *size;
+  by_letter_ = true;
+  return Received::bytes;
+}
+
+ssize_t Connection::receive_with_descriptors() {
   DescriptorSpace space;
   iovec part{in_.data() + end_, in_.size() - end_};
   msghdr header{};
@@ -87,7 +112,7 @@ ssize_t Connection::receive_with_descriptor() {
   header.msg_control = space.bytes;
   header.msg_controllen = sizeof space.bytes;
   const ssize_t count = ::recvmsg(fd_.get(), &header, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-  if (count > 0 && header.msg_controllen > 0) received_ = descriptor_in(header);
+  if (count > 0 && header.msg_controllen > 0) received_ = descriptors_in(header);
   return count;
 }
 
@@ -100,23 +125,44 @@ bool Connection::next_message(std::string_view& message) {
 }
 
 void Connection::attach(int fd) {
-  attached_.reset(fcntl(fd, F_DUPFD_CLOEXEC, 0));
+  attached_.emplace_back(fcntl(fd, F_DUPFD_CLOEXEC, 0));
+}
+
+void Connection::use(Mailbox mailbox, Waits waits) {
+  mailbox_.emplace(std::move(mailbox));
+  if (waits == Waits::elsewhere) return;
+  either_.emplace();
+  either_->watch(fd_.get(), EPOLLIN, nullptr);
+  either_->watch(mailbox_->bell(), EPOLLIN | EPOLLET, nullptr);
 }
 
 bool Connection::flush() {
+  if (unsent() == 0) return true;
+  const bool sent = (std::exchange(by_letter_, false) && flush_as_letter()) || flush_to_socket();
+  if (sent && unsent() == 0 && out_.capacity() > kKeptRoom) out_ = {};
+  return sent;
+}
+
+// What has begun to go over the socket ends there.
+bool Connection::flush_as_letter() {
+  if (!mailbox_ || sent_ > 0 || !attached_.empty() || !mailbox_->put(out_)) return false;
+  out_.clear();
+  return true;
+}
+
+bool Connection::flush_to_socket() {
   while (sent_ < out_.size()) {
     const std::string_view rest = std::string_view(out_).substr(sent_);
-    const ssize_t count = attached_
-                              ? send_with(fd_.get(), rest, attached_.get())
-                              : ::send(fd_.get(), rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    const ssize_t count = attached_.empty()
+                              ? ::send(fd_.get(), rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL)
+                              : send_with(fd_.get(), rest, attached_);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return errno == EAGAIN;
-    attached_.reset();
+    attached_.clear();
     sent_ += static_cast<size_t>(count);
   }
   out_.clear();
   sent_ = 0;
-  if (out_.capacity() > kKeptRoom) out_ = {};
   return true;
 }
 

@@ -2,15 +2,18 @@
 //
 // Plain recv and send rather than Asio: a reactor's trip through epoll would double the time of a round trip
 // that polling brings to 5 µs, and descriptors travel with the bytes (SCM_RIGHTS), which Asio leaves to
-// recvmsg anyway.
+// recvmsg anyway. Short calls and their answers may go through a mailbox beside the socket.
 #pragma once
 
 #include <sys/socket.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "rpc/epoll.hpp"
+#include "rpc/mailbox.hpp"
 #include "rpc/msgpack_head.hpp"
 #include "rpc/unique_fd.hpp"
 #include "rpc/waiting.hpp"
@@ -43,16 +46,33 @@ class Connection {
   bool flush();
   size_t unsent() const { return out_.size() - sent_; }
 
-  void attach(int fd);  // a copy goes with the next bytes
-  UniqueFd take_descriptor() { return std::move(received_); }
+  static constexpr size_t kMaxDescriptors = 3;  // that go with bytes, or come
+  void attach(int fd);                          // a copy goes with the next bytes
+  std::vector<UniqueFd> take_descriptors() { return std::exchange(received_, {}); }
+
+  // Who waits for a letter: a server does among all its connections, receive_by() does here.
+  enum class Waits { elsewhere, here };
+  void use(Mailbox mailbox, Waits waits);
+  const std::optional<Mailbox>& mailbox() const { return mailbox_; }
+  bool has_letter() const { return mailbox_ && mailbox_->has_letter(); }
+  // What is flushed next is one short call, while nothing else is under way: it may go as a letter. Its
+  // answer does, where it is short too.
+  void call_by_letter() { by_letter_ = true; }
 
  private:
   void make_room();
-  ssize_t receive_with_descriptor();
+  Received receive_letter();
+  ssize_t receive_with_descriptors();
+  bool wait_for_either(Clock::time_point deadline);
+  bool flush_as_letter();
+  bool flush_to_socket();
 
   UniqueFd fd_;
   Descriptors descriptors_;
-  UniqueFd attached_, received_;
+  std::vector<UniqueFd> attached_, received_;
+  std::optional<Mailbox> mailbox_;
+  std::optional<Epoll> either_;  // the socket and the bell of the mailbox, of who waits here for both
+  bool by_letter_ = false;
   std::vector<char> in_;
   size_t begin_ = 0, end_ = 0;  // received and not yet taken
   Scanner scanner_;

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/nearest_name.hpp"
+#include "rpc/mailbox.hpp"
 #include "rpc/manual_page.hpp"
 
 namespace animado::rpc {
@@ -71,6 +72,13 @@ void Dispatcher::add_common() {
   service_.on<Hello>(
       [this](const Hello::Request& request) { return answer_hello(request, service_.name()); });
   service_.on<Ping>([](const Nothing&) { return Nothing{}; });
+  service_.on<OpenMailbox>([this](const Nothing&, Call& call) {
+    if (!service_.open_mailbox)
+      throw Error(Code::refused, "in one process there is no connection that could have a mailbox",
+                  service_.name(), "call: nothing is nearer");
+    for (int fd : service_.open_mailbox(call.connection())) call.send_descriptor(fd);
+    return OpenMailbox::Reply{Mailbox::kRoom};
+  });
   service_.on<Statistics>([this](const Nothing&) { return statistics(); });
   service_.on<Describe>([this](const Nothing&) {
     Describe::Reply reply;

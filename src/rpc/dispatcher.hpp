@@ -6,7 +6,9 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "rpc/common.hpp"
@@ -29,11 +31,11 @@ class ServedCall final : public Call {
   std::string_view client() const override { return client_; }
   std::span<const double> read(const Array& array) override;
   std::span<double> write(const Array& array) override;
-  void send_descriptor(int fd) override { outgoing_ = fd; }
-  UniqueFd take_descriptor() override { return std::move(incoming_); }
+  void send_descriptor(int fd) override { outgoing_.push_back(fd); }
+  UniqueFd take_descriptor() override { return first_of(incoming_); }
 
-  void set_incoming(UniqueFd fd) { incoming_ = std::move(fd); }
-  int outgoing() const { return outgoing_; }  // -1 when the handler sent none
+  void set_incoming(std::vector<UniqueFd> descriptors) { incoming_ = std::move(descriptors); }
+  std::span<const int> outgoing() const { return outgoing_; }
 
  private:
   std::span<double> pages(const Array& array);
@@ -41,8 +43,8 @@ class ServedCall final : public Call {
   ConnectionId connection_;
   Suite& suite_;
   std::string_view client_;
-  UniqueFd incoming_;
-  int outgoing_ = -1;
+  std::vector<UniqueFd> incoming_;
+  std::vector<int> outgoing_;
 };
 
 class Dispatcher {

@@ -11,7 +11,7 @@ namespace {
 constexpr ConnectionId kTheConnection = 1;  // the process has one to each service
 
 UniqueFd duplicate(int fd) {
-  return UniqueFd(fd < 0 ? -1 : fcntl(fd, F_DUPFD_CLOEXEC, 0));
+  return UniqueFd(fcntl(fd, F_DUPFD_CLOEXEC, 0));
 }
 
 }  // namespace
@@ -38,19 +38,20 @@ LocalChannel::~LocalChannel() {
 }
 
 void LocalChannel::give_descriptor(int fd) {
-  given_ = duplicate(fd);
+  given_.push_back(duplicate(fd));
 }
 
 void LocalChannel::exchange(const MessageCodec& message, const void* request, void* reply) {
   const Marks marks{trace_, ++seq_};
   ServedCall call(kTheConnection, dispatcher_.suite());
-  call.set_incoming(std::move(given_));
+  call.set_incoming(std::exchange(given_, {}));
   const Dispatcher::Outcome outcome =
       dispatcher_.run(find(message, marks), request, reply, call, Clock::now());
   dispatcher_.record(message, request, marks, outcome, outcome.begin);
   dispatcher_.was_busy(outcome.end - outcome.begin);
   if (outcome.error) throw Error(*outcome.error);
-  received_ = duplicate(call.outgoing());
+  received_.clear();
+  for (int fd : call.outgoing()) received_.push_back(duplicate(fd));
 }
 
 const Service::Entry& LocalChannel::find(const MessageCodec& message, const Marks& marks) {

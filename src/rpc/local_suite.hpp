@@ -21,7 +21,7 @@ class LocalChannel final : public Channel {
   ~LocalChannel() override;
 
   Service& service() { return *service_; }
-  UniqueFd take_descriptor() override { return std::move(received_); }
+  UniqueFd take_descriptor() override { return first_of(received_); }
   void give_descriptor(int fd) override;
 
  protected:
@@ -39,7 +39,7 @@ class LocalChannel final : public Channel {
   Dispatcher dispatcher_;
   const std::string& trace_;
   int64_t& seq_;
-  UniqueFd given_, received_;
+  std::vector<UniqueFd> given_, received_;
   Inbox inbox_;
   bool is_full_ = false;
 };

@@ -95,6 +95,17 @@ An array is a map: inline `{shape, data}`, where data is `bin` (little-endian fl
 A shared array is a memory file whose size is sealed; its descriptor comes with the reply of `array_create` or `array_open` as
 `SCM_RIGHTS`.
 
+### Mailboxes
+
+A client that calls often may open a mailbox beside its connection, through which a short call takes half the time. The
+reply to `mailbox` brings three descriptors: a memory file of 8192 bytes with its size sealed, the server's bell and the client's
+bell (eventfds). The first half of the memory is for a request, the second for its answer: the number of letters so far (uint32,
+little-endian), the size of this one in bytes (uint32), and the letter: a message as it would go over the socket, or several. Who leaves
+a letter writes it, then its size, then its number, and adds 1 to the other's bell.
+
+A letter is one call while nothing else is under way on the connection. What came as a letter is answered by one if the answer fits and
+brings no descriptor, over the socket otherwise. The socket does all else, and the mailbox ends with it.
+
 ### Errors
 
 An error is a map `{code, message, where, remedy}`. The codes:

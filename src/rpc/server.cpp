@@ -14,9 +14,10 @@ namespace {
 // While one peer keeps us busy the others, and those who want to connect, are looked at this often.
 constexpr std::chrono::milliseconds kFullLook{1};
 constexpr std::chrono::milliseconds kLogDelay{50};  // who follows a log does not notice
-constexpr int kLooksAtLast = 32;   // at who spoke last, for one at everybody: some ten microseconds
-constexpr size_t kMaxClient = 40;  // characters of a client's name
-constexpr size_t kMaxPeers = 256;  // a run has 10; below the usual limit of 1024 open files
+constexpr int kLooksAtLast = 32;      // at who spoke last, for one at everybody: some ten microseconds
+constexpr size_t kMaxClient = 40;     // characters of a client's name
+constexpr size_t kMaxPeers = 256;     // a run has 10; below the usual limit of 1024 open files
+constexpr size_t kMaxMailboxes = 64;  // three more open files each
 constexpr size_t kMaxUnsent = size_t{1}
                               << 20;  // bytes that a peer may leave unread before it is not served further
 // Peers that get their notifications between two looks for requests: a hundred watchers hold up nobody for
@@ -37,6 +38,7 @@ Server::Server(Dispatcher& dispatcher, std::filesystem::path socket)
   };
   dispatcher_.load = [this] { return load(); };
   dispatcher_.service().is_connected = [this](ConnectionId id) { return is_connected(id); };
+  dispatcher_.service().open_mailbox = [this](ConnectionId id) { return open_mailbox(id); };
 }
 
 Server::~Server() {
@@ -255,22 +257,22 @@ void Server::call(Peer& peer, const Envelope& envelope, const Service::Entry& en
                   const Marks& marks) {
   const Value reply = entry.codec->reply.make();
   ServedCall call(peer.id, dispatcher_.suite(), peer.client);
-  call.set_incoming(peer.connection.take_descriptor());
+  call.set_incoming(peer.connection.take_descriptors());
   const Dispatcher::Outcome outcome = dispatcher_.run(entry, request, reply.get(), call, begin_);
   begin_ = outcome.end;
   if (outcome.error) {
     send_error(peer, envelope, *outcome.error);
   } else {
     if (!peer.greeted) greet(peer, *static_cast<const Hello::Request*>(request));
-    if (call.outgoing() >= 0) {
-      flush(peer);  // a descriptor goes with the bytes that follow
-      peer.connection.attach(call.outgoing());
+    if (!call.outgoing().empty()) {
+      flush(peer);  // descriptors go with the bytes that follow
+      for (int fd : call.outgoing()) peer.connection.attach(fd);
     }
     send_result(peer, envelope, entry.codec->reply, reply.get());
   }
   // Replies to requests that came together leave together; to count and log waits until they are on their
   // way.
-  if (peer.connection.unread().empty() || call.outgoing() >= 0) flush(peer);
+  if (peer.connection.unread().empty() || !call.outgoing().empty()) flush(peer);
   dispatcher_.record(*entry.codec, request, marks, outcome, last_arrival_);
 }
 
@@ -310,6 +312,10 @@ void Server::drop_ended() {
     }
     if (last_ == &*peer) last_ = nullptr;
     notified_ -= peer->notified;
+    if (const auto& mailbox = peer->connection.mailbox()) {
+      epoll_.forget(mailbox->bell());  // open at the client's side it would ring on
+      --mailboxes_;
+    }
     by_id_.erase(peer->id);
     const ConnectionId id = peer->id;
     peer = peers_.erase(peer);
@@ -333,10 +339,24 @@ Dispatcher::Load Server::load() const {
   Dispatcher::Load load{.connections = static_cast<int64_t>(peers_.size())};
   for (const Peer& peer : peers_) {
     pollfd entry{peer.connection.fd(), POLLIN, 0};
-    load.waiting += !peer.connection.unread().empty() || ::poll(&entry, 1, 0) > 0;
+    load.waiting +=
+        !peer.connection.unread().empty() || peer.connection.has_letter() || ::poll(&entry, 1, 0) > 0;
     load.unsent_bytes += static_cast<int64_t>(peer.connection.unsent());
   }
   return load;
+}
+
+std::array<int, 3> Server::open_mailbox(ConnectionId id) {
+  Peer& peer = *by_id_.at(id);
+  if (!peer.connection.mailbox()) {
+    if (mailboxes_ == kMaxMailboxes)
+      throw Error(Code::limit, fmt::format("{} connections have a mailbox", mailboxes_),
+                  dispatcher_.service().name(), "go on over the socket");
+    peer.connection.use(Mailbox::make(), Connection::Waits::elsewhere);
+    epoll_.watch(peer.connection.mailbox()->bell(), EPOLLIN | EPOLLET, &peer);
+    ++mailboxes_;
+  }
+  return peer.connection.mailbox()->descriptors();
 }
 
 bool Server::is_connected(ConnectionId id) {

@@ -76,6 +76,7 @@ class Server {
   void flush(Peer& peer);
   Dispatcher::Load load() const;
   bool is_connected(ConnectionId id);
+  std::array<int, 3> open_mailbox(ConnectionId id);
 
   Dispatcher& dispatcher_;
   std::filesystem::path socket_;
@@ -89,7 +90,7 @@ class Server {
   Peer* last_ = nullptr;  // who spoke last: most likely to speak next
   ConnectionId next_id_ = 1;
   int looks_ = 0;
-  size_t notified_ = 0;  // peers
+  size_t notified_ = 0, mailboxes_ = 0;  // peers
   Clock::time_point last_full_look_, last_arrival_, last_done_;
   Clock::time_point begin_;  // of the request that is served: it came, or the one before it was answered
   bool log_timer_runs_ = false;

@@ -3,6 +3,7 @@
 // (common.hpp).
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -29,7 +30,7 @@ class Call {
   virtual std::span<const double> read(const Array& array) = 0;
   virtual std::span<double> write(const Array& array) = 0;  // shared only: bad_params otherwise
 
-  virtual void send_descriptor(int fd) = 0;          // with the reply; the service keeps its own copy
+  virtual void send_descriptor(int fd) = 0;  // with the reply, or another one; the service keeps its own copy
   virtual UniqueFd take_descriptor() { return {}; }  // that came with the request, if any
 };
 
@@ -81,6 +82,10 @@ class Service {
   // Whether a connection is still there, for a handler that takes long; sends on what it was notified of. Set
   // by a server, empty in this process.
   std::function<bool(ConnectionId)> is_connected;
+
+  // Gives a connection a mailbox, or tells that it has, and what a client needs for it: Mailbox::descriptors.
+  // Throws Code::limit. Set by a server, empty in this process.
+  std::function<std::array<int, 3>(ConnectionId)> open_mailbox;
 
  private:
   void add(const MessageCodec& codec, Handler handler);

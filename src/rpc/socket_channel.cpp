@@ -20,6 +20,9 @@ namespace {
 // before it is registered.
 constexpr std::chrono::milliseconds kFirstPause{1}, kLongestPause{100};
 
+// A connection over which one calls more often gets a mailbox.
+constexpr int64_t kCallsBeforeMailbox = 8;
+
 // Waits for a service to come back: until a socket appears in the folder, or a pause that doubles is over.
 class Comeback {
  public:
@@ -98,13 +101,15 @@ void SocketChannel::repeat(std::string_view method, const std::function<void()>&
 std::string_view SocketChannel::attempt(std::string_view method, std::string_view params, int given) {
   if (!connection_) connect();
   const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
+  if (++calls_ == kCallsBeforeMailbox) ask_for_mailbox(deadline);
   Encoder out(connection_->out());
   begin_request(++id_, method, out);
   out.raw(params);
   if (given >= 0) connection_->attach(given);
+  connection_->call_by_letter();
   send(deadline, method);
   const std::string_view result = receive_reply(id_, deadline, method);
-  received_ = connection_->take_descriptor();
+  received_ = connection_->take_descriptors();
   return result;
 }
 
@@ -125,9 +130,10 @@ std::filesystem::path SocketChannel::find_socket() {
 void SocketChannel::connect() {
   UniqueFd fd = connect_to(find_socket());
   if (!fd) throw Broken{};
-  connection_.emplace(std::move(fd), service_ == kWellKnown ? Descriptors::taken : Descriptors::discarded);
+  connection_.emplace(std::move(fd), Descriptors::taken);
   inbox_.clear();
   ++connections_;
+  calls_ = 0;
   try {
     say_hello();
   } catch (const Error&) {
@@ -145,6 +151,21 @@ void SocketChannel::say_hello() {
   pack(type_of<Hello::Request>(), &hello, out);
   send(deadline, Hello::name);
   receive_reply(id_, deadline, Hello::name);
+}
+
+// A server that has none to give is called over the socket.
+void SocketChannel::ask_for_mailbox(Clock::time_point deadline) {
+  Encoder out(connection_->out());
+  begin_request(++id_, OpenMailbox::name, out);
+  const Nothing nothing;
+  pack(type_of<Nothing>(), &nothing, out);
+  send(deadline, OpenMailbox::name);
+  try {
+    receive_reply(id_, deadline, OpenMailbox::name);
+    connection_->use(Mailbox::open(connection_->take_descriptors()), Connection::Waits::here);
+  } catch (const Error& error) {
+    if (error.code() != Code::limit && error.code() != Code::unknown_method) throw;
+  }
 }
 
 void SocketChannel::send(Clock::time_point deadline, std::string_view method) {

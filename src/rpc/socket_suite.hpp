@@ -30,7 +30,7 @@ class SocketChannel final : public Channel {
   SocketChannel(SocketSuite& suite, std::string service, std::filesystem::path socket = {})
       : suite_(suite), service_(std::move(service)), socket_(std::move(socket)) {}
 
-  UniqueFd take_descriptor() override { return std::move(received_); }
+  UniqueFd take_descriptor() override { return first_of(received_); }
   void give_descriptor(int fd) override;
 
   // Any message of any service, as text: params as a JSON object, the result as JSON.
@@ -60,6 +60,7 @@ class SocketChannel final : public Channel {
   void connect();
   std::filesystem::path find_socket();
   void say_hello();
+  void ask_for_mailbox(Clock::time_point deadline);
   void send(Clock::time_point deadline, std::string_view method);
   std::string_view receive_reply(int64_t id, Clock::time_point deadline, std::string_view method);
   static bool has_come(Connection::Received received);
@@ -75,7 +76,9 @@ class SocketChannel final : public Channel {
   std::optional<Connection> connection_;
   Inbox inbox_;
   int64_t connections_ = 0, listened_to_ = 0;  // how many there were; which of them notifications came over
-  UniqueFd given_, received_;
+  int64_t calls_ = 0;                          // over this connection
+  UniqueFd given_;
+  std::vector<UniqueFd> received_;
   int64_t id_ = 0;
   Patience patience_;
 };

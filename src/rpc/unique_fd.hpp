@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <utility>
+#include <vector>
 
 namespace animado::rpc {
 
@@ -29,5 +30,10 @@ class UniqueFd {
  private:
   int fd_ = -1;
 };
+
+// Takes the first of several; none when there are none.
+inline UniqueFd first_of(std::vector<UniqueFd>& descriptors) {
+  return descriptors.empty() ? UniqueFd() : std::move(descriptors.front());
+}
 
 }  // namespace animado::rpc

@@ -68,11 +68,16 @@ class Patience {
   Clock::time_point begin_;
 };
 
+// Rounded up; not positive when the time is over.
+inline int milliseconds_until(Clock::time_point deadline) {
+  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count());
+}
+
 // Sleeps until the descriptor is ready or the time is over; false then.
 inline bool wait_until(int fd, short events, Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  const int left_ms = milliseconds_until(deadline);
   pollfd entry{fd, events, 0};
-  return left > 0 && ::poll(&entry, 1, static_cast<int>(left)) != 0;
+  return left_ms > 0 && ::poll(&entry, 1, left_ms) != 0;
 }
 
 inline Clock::duration seconds(double s) {

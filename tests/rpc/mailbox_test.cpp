@@ -1,0 +1,255 @@
+// src/rpc/mailbox.cpp and who uses it: letters between a client and a server, and what goes over the socket
+// all the same.
+#include <gmock/gmock.h>
+#include <poll.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "fixture.hpp"
+#include "rpc/json.hpp"
+
+namespace animado::rpc::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr double kLong_s = 30;
+
+std::vector<UniqueFd> copies(std::span<const int> descriptors) {
+  std::vector<UniqueFd> copied;
+  for (int fd : descriptors) copied.emplace_back(dup(fd));
+  return copied;
+}
+
+bool rings(int bell) {
+  pollfd entry{bell, POLLIN, 0};
+  return poll(&entry, 1, 0) == 1;
+}
+
+std::string taken(Mailbox& mailbox) {
+  std::string letter(Mailbox::kRoom, '\0');
+  letter.resize(mailbox.take(letter.data()).value());
+  return letter;
+}
+
+struct Pair {
+  Mailbox server = Mailbox::make(), client = Mailbox::open(copies(server.descriptors()));
+};
+
+TEST(Mailbox, LettersGoBothWays) {
+  Pair pair;
+  EXPECT_FALSE(pair.server.has_letter());
+  EXPECT_FALSE(rings(pair.server.bell()));
+  EXPECT_TRUE(pair.client.put("what"));
+  EXPECT_TRUE(rings(pair.server.bell()));
+  EXPECT_FALSE(rings(pair.client.bell()));
+  EXPECT_TRUE(pair.server.has_letter());
+  EXPECT_FALSE(pair.client.has_letter());
+  EXPECT_EQ(taken(pair.server), "what");
+  EXPECT_FALSE(pair.server.has_letter());
+  EXPECT_TRUE(pair.server.put("that"));
+  EXPECT_TRUE(rings(pair.client.bell()));
+  EXPECT_EQ(taken(pair.client), "that");
+}
+
+TEST(Mailbox, ALetterThatIsTooLongIsNotPut) {
+  Pair pair;
+  const std::string full(Mailbox::kRoom, 'x');
+  EXPECT_FALSE(pair.client.put(full + "x"));
+  EXPECT_FALSE(pair.server.has_letter());
+  EXPECT_TRUE(pair.client.put(full));
+  EXPECT_EQ(taken(pair.server), full);
+}
+
+TEST(Mailbox, ASizeThatCannotBeIsNotBelieved) {
+  Pair pair;
+  auto* pages = static_cast<uint32_t*>(
+      mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_SHARED, pair.server.descriptors()[0], 0));
+  ASSERT_NE(pages, MAP_FAILED);
+  pages[1] = Mailbox::kRoom + 1;
+  pages[0] = 1;
+  EXPECT_TRUE(pair.server.has_letter());
+  std::string letter(Mailbox::kRoom, '\0');
+  EXPECT_FALSE(pair.server.take(letter.data()).has_value());
+  munmap(pages, 8192);
+}
+
+TEST(Mailbox, IsOpenedFromThreeDescriptorsOfOneOnly) {
+  const Mailbox server = Mailbox::make();
+  EXPECT_EQ(error_of([&] { Mailbox::open({}); }).code(), Code::bad_shape);
+  EXPECT_EQ(error_of([&] { Mailbox::open(copies(std::array{0, 1, 2})); }).code(), Code::bad_shape);
+}
+
+// A client, message by message, that sees which way each came.
+class Client {
+ public:
+  explicit Client(const fs::path& socket) : connection_(connect_to(socket), Descriptors::taken) {
+    EXPECT_THAT(ask(R"([0, 1, "hello", [{"protocol": "animado", "version": 1}]])"), HasSubstr("pid"));
+  }
+
+  std::string open_mailbox() {
+    const std::string answer = ask(R"([0, 2, "mailbox", [{}]])");
+    auto descriptors = connection_.take_descriptors();
+    for (const UniqueFd& fd : descriptors) kept_.emplace_back(dup(fd.get()));
+    if (!descriptors.empty()) connection_.use(Mailbox::open(std::move(descriptors)), Connection::Waits::here);
+    return answer;
+  }
+
+  std::string ask(std::string_view json) {
+    connection_.out() += packed_of(json);
+    return send_and_receive();
+  }
+  std::string ask_by_letter(std::string_view json) {
+    connection_.call_by_letter();
+    return ask(json);
+  }
+  std::string send_and_receive() {
+    EXPECT_TRUE(connection_.flush());
+    return receive();
+  }
+  std::string receive() {
+    const auto deadline = Clock::now() + seconds(kLong_s);
+    std::string_view message;
+    while (!connection_.next_message(message)) {
+      if (connection_.receive_by(deadline) == Connection::Received::closed) return "closed";
+      if (Clock::now() > deadline) return "nothing";
+    }
+    return json_of(message);
+  }
+  Connection& connection() { return connection_; }
+  const std::vector<UniqueFd>& kept() const { return kept_; }  // copies of the mailbox's descriptors
+
+ private:
+  Connection connection_;
+  std::vector<UniqueFd> kept_;
+};
+
+bool readable(int fd) {
+  pollfd entry{fd, POLLIN, 0};
+  return poll(&entry, 1, 0) == 1;
+}
+
+class MailboxTest : public SocketTest {
+ protected:
+  Served parrot_{directory_, "parrot", fill_parrot};
+};
+
+TEST_F(MailboxTest, WhatCameAsALetterIsAnsweredByOne) {
+  Client client(parrot_.socket());
+  EXPECT_EQ(client.open_mailbox(), R"([1,2,null,{"room":4088}])");
+  Connection& connection = client.connection();
+  connection.out() += packed_of(R"([0, 3, "empty", [{}]])");
+  connection.call_by_letter();
+  ASSERT_TRUE(connection.flush());
+  pollfd bell{connection.mailbox()->bell(), POLLIN, 0};
+  ASSERT_EQ(poll(&bell, 1, 30000), 1);
+  EXPECT_TRUE(connection.has_letter());
+  EXPECT_FALSE(readable(connection.fd()));
+  EXPECT_EQ(client.receive(), R"([1,3,null,{}])");
+  EXPECT_EQ(client.ask_by_letter(R"([0, 4, "emty", [{}]])").substr(0, 5), "[1,4,");
+}
+
+TEST_F(MailboxTest, WhatCameOverTheSocketIsAnsweredThere) {
+  Client client(parrot_.socket());
+  client.open_mailbox();
+  EXPECT_EQ(client.ask(R"([0, 3, "empty", [{}]])"), R"([1,3,null,{}])");
+  EXPECT_FALSE(rings(client.connection().mailbox()->bell()));
+}
+
+TEST_F(MailboxTest, AnAnswerThatIsTooLongComesOverTheSocket) {
+  Client client(parrot_.socket());
+  client.open_mailbox();
+  EXPECT_GT(client.ask_by_letter(R"([0, 3, "describe", [{}]])").size(), Mailbox::kRoom);
+  EXPECT_EQ(client.ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+}
+
+TEST_F(MailboxTest, NotificationsOfACallComeBeforeItsAnswer) {
+  Client client(parrot_.socket());
+  client.open_mailbox();
+  for (int id : {3, 4, 5}) {
+    EXPECT_EQ(client.ask_by_letter(fmt::format(R"([0, {}, "twice", [{{"in": [1, 2]}}]])", id)),
+              R"([2,"told",[{"count":2}]])");
+    EXPECT_THAT(client.receive(), HasSubstr(fmt::format("[1,{},", id)));
+  }
+}
+
+TEST_F(MailboxTest, AskedForTwiceItIsTheSame) {
+  Client client(parrot_.socket());
+  client.open_mailbox();
+  client.ask_by_letter(R"([0, 3, "empty", [{}]])");
+  client.open_mailbox();
+  EXPECT_EQ(client.ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+}
+
+TEST_F(MailboxTest, BytesThatAreNoMessageEndTheConnection) {
+  Client client(parrot_.socket());
+  client.open_mailbox();
+  client.connection().out() = "\xc1";
+  client.connection().call_by_letter();
+  EXPECT_THAT(client.send_and_receive(), HasSubstr(R"("code":"protocol")"));
+  EXPECT_EQ(client.receive(), "closed");
+}
+
+// The bell is open at the client's side for longer than the connection.
+TEST_F(MailboxTest, WhoRingsAfterHeLeftDisturbsNobody) {
+  std::vector<UniqueFd> kept;
+  {
+    Client client(parrot_.socket());
+    client.open_mailbox();
+    for (const UniqueFd& fd : client.kept()) kept.emplace_back(dup(fd.get()));
+  }
+  Client other(parrot_.socket());
+  while (other.ask(R"([0, 3, "statistics", [{}]])").find(R"("connections":1)") == std::string::npos) {
+  }
+  Mailbox gone = Mailbox::open(std::move(kept));
+  EXPECT_TRUE(gone.put("anybody?"));
+  EXPECT_EQ(other.ask(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+}
+
+TEST_F(MailboxTest, WhoGetsNoneGoesOnOverTheSocket) {
+  std::list<Client> clients;
+  while (clients.emplace_back(parrot_.socket()).open_mailbox().find("limit") == std::string::npos)
+    ASSERT_LT(clients.size(), 100u);
+  EXPECT_EQ(clients.size(), 65u);
+  EXPECT_EQ(clients.back().ask_by_letter(R"([0, 3, "empty", [{}]])"), R"([1,3,null,{}])");
+  clients.pop_front();
+  while (clients.back().open_mailbox().find("limit") !=
+         std::string::npos) {  // until the first is seen to be gone
+  }
+  EXPECT_EQ(clients.back().ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+}
+
+TEST_F(MailboxTest, AChannelThatIsCalledOftenOpensOne) {
+  Served names(directory_, std::string(kWellKnown), fill_names);
+  Served parrot(directory_, "polly", fill_parrot);
+  SocketSuite suite(options());
+  Channel& polly = suite.channel("polly");
+  const auto mailboxes = [&] {
+    const auto rows = polly.call<Statistics>({}).messages;
+    return std::ranges::count(rows, "mailbox", &Statistics::Count::message);
+  };
+  EXPECT_EQ(mailboxes(), 0);
+  for (int i = 0; i < 100; ++i) {
+    auto request = full_request();
+    request.count = i;
+    request.label = std::string(static_cast<size_t>(i * i), 'x');  // up to 9801 bytes
+    const auto reply = polly.call<Echo>(request);
+    ASSERT_EQ(reply.count, i);
+    ASSERT_EQ(reply.label, request.label);
+    ASSERT_EQ(error_of([&] { polly.call<Fail>({}); }).code(), Code::refused);
+  }
+  EXPECT_EQ(mailboxes(), 1);
+  // Descriptors come over the socket from where calls are letters.
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(suite.arrays().create(fmt::format("a{}", i), {2}).values().size(), 2u);
+  Told::Request told;
+  polly.call<Twice>({Array::inlined({1}, {3}), {}});
+  EXPECT_TRUE(polly.wait_notification<Told>(told, kLong_s));
+  EXPECT_EQ(told.count, 1);
+}
+
+}  // namespace
+}  // namespace animado::rpc::testing
