@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <list>
 
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "colisao/impulse.hpp"
 #include "colisao/response_tolerances.hpp"
 #include "colisao/server.records.hpp"
@@ -65,9 +65,7 @@ std::span<const double> read(rpc::Call& call, const Array& array, int64_t rows, 
         field, "one column for each body of prepare");
   }
   const std::span<const double> values = call.read(array);
-  int64_t infinite = 0;  // counted, not looked for: several numbers at a time
-  for (double x : values) infinite += !(std::abs(x) <= std::numeric_limits<double>::max());
-  if (infinite > 0) {
+  if (!all_finite(values)) {
     const auto bad = std::ranges::find_if_not(values, [](double x) { return std::isfinite(x); });
     const auto at = bad - values.begin();
     throw Error(Code::not_finite, fmt::format("{} in row {}, body {}", *bad, at / shape[1], at % shape[1]),

@@ -1,9 +1,9 @@
 #include "controle/forces.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "base/state.hpp"
 
 namespace animado::controle {
@@ -84,9 +84,7 @@ Power Forces::damp(const Drive& drive, const Moment& moment, double* wrenches) c
 
 void Forces::check_finite(const Moment& moment, const double* wrenches) const {
   const size_t n = moment.bodies;
-  int64_t beyond = 0;  // counted, not looked for: several at a time
-  for (size_t e = 0; e < 6 * n; ++e) beyond += !(std::abs(wrenches[e]) <= std::numeric_limits<double>::max());
-  if (beyond == 0) return;
+  if (all_finite({wrenches, 6 * n})) return;
   for (const Drive& drive : drives_) {
     for (size_t k = 0; k < 6; ++k) {
       if (!std::isfinite(wrenches[k * n + drive.body])) refuse(scene_.bodies[drive.body], moment.time_s);

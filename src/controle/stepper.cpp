@@ -1,6 +1,7 @@
 #include "controle/stepper.hpp"
 
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "base/state.hpp"
 #include "controle/balance.hpp"
 
@@ -230,14 +231,12 @@ void Stepper::record(const std::vector<colisao::ImpactRecord>& impacts) {
 void Stepper::check_finite() const {
   for (size_t row = 0; row < kStateRows; ++row) {
     const double most = row >= kVx && row <= kVz ? kSpeedOfLight_m_s : std::numeric_limits<double>::max();
-    const double* values = now_.values + row * bodies_;
-    int64_t beyond = 0;  // counted, not looked for: several bodies at a time
-    for (size_t i = 0; i < bodies_; ++i) beyond += !(std::abs(values[i]) <= most);
-    if (beyond == 0) continue;
-    const auto at = std::find_if(values, values + bodies_, [&](double v) { return !(std::abs(v) <= most); });
+    const std::span<const double> values(now_.values + row * bodies_, bodies_);
+    if (all_within(values, most)) continue;
+    const auto at = std::ranges::find_if(values, [&](double v) { return !(std::abs(v) <= most); });
     throw Error(Code::diverged,
                 fmt::format("the motion of `{}` diverged at t = {:.9g} s",
-                            scene_.bodies[static_cast<size_t>(at - values)].name, time_s_),
+                            scene_.bodies[static_cast<size_t>(at - values.begin())].name, time_s_),
                 scene_.path,
                 "A force that grows with the motion it makes, or a step too long for a stiff spring: look "
                 "at the object's "

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/finite.hpp"
 #include "egesp/accuracy.hpp"
 #include "egesp/dense_system.hpp"
 
@@ -27,10 +28,6 @@ struct Alone {
       batch.solutions[batch.interleaved ? e * batch.count + s : s * x.size() + e] = x[e];
   }
 };
-
-bool all_finite(std::span<const double> numbers) {
-  return std::ranges::all_of(numbers, [](double v) { return std::isfinite(v); });
-}
 
 }  // namespace
 

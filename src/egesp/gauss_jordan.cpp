@@ -1,10 +1,10 @@
 #include "egesp/gauss_jordan.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "base/finite.hpp"
 #include "egesp/determinant.hpp"
 #include "egesp/triangles.hpp"
 
@@ -28,8 +28,7 @@ Elimination gauss_jordan(std::span<double> a, std::span<double> b, size_t n, siz
   if (echelon.pivots < n) return {echelon.pivots, false, 0};
   substitute_upward(a, n, b, m, instructions);
   if (rule.complete) restore_order(b, m, echelon.columns);
-  const bool finite = std::ranges::all_of(b, [](double x) { return std::isfinite(x); });
-  return {n, finite, product_of_pivots(a, n, echelon)};
+  return {n, all_finite(b), product_of_pivots(a, n, echelon)};
 }
 
 }  // namespace animado::egesp

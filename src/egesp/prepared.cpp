@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/finite.hpp"
 #include "egesp/lu.hpp"
 
 namespace animado::egesp {
@@ -48,7 +49,7 @@ class OneByOne final : public PreparedBatch {
       } else {
         std::ranges::fill(b, kNan);
       }
-      finite = finite && std::ranges::all_of(b, [](double x) { return std::isfinite(x); });
+      finite = finite && all_finite(b);
       for (size_t e = 0; e < b.size(); ++e) solutions[right_sides.at(count_, n_, s, e)] = b[e];
     }
     return finite;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "egesp/accuracy.hpp"
 #include "egesp/batch_shape.hpp"
 
@@ -53,8 +54,8 @@ double checked_threshold(double threshold) {
 }
 
 void refuse_infinite(std::span<const double> numbers, const char* where) {
+  if (all_finite(numbers)) return;
   const auto found = std::ranges::find_if_not(numbers, [](double v) { return std::isfinite(v); });
-  if (found == numbers.end()) return;
   throw Error(Code::not_finite, fmt::format("element {} is {}", found - numbers.begin(), *found),
               fmt::format("{}[{}]", where, found - numbers.begin()), "send finite numbers only");
 }
@@ -74,7 +75,7 @@ size_t right_sides_of(std::span<const int64_t> shape, int64_t n) {
 }
 
 void refuse_overflow(std::span<const double> solutions) {
-  if (std::ranges::all_of(solutions, [](double v) { return std::isfinite(v); })) return;
+  if (all_finite(solutions)) return;
   throw Error(Code::not_finite, "the solution overflows", "right_sides", "scale the equations");
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/finite.hpp"
 #include "fred/radau.hpp"
 #include "fred/runge_kutta.hpp"
 
@@ -69,8 +70,7 @@ Stepper::Outcome AdaptiveSteps<Core>::take_step(double end) {
 
 template <class Core>
 Stepper::Outcome AdaptiveSteps<Core>::failure() {
-  const bool finite = std::ranges::all_of(core_.rate(t_), [](double v) { return std::isfinite(v); });
-  return finite ? Outcome::step_too_small : Outcome::not_finite;
+  return all_finite(core_.rate(t_)) ? Outcome::step_too_small : Outcome::not_finite;
 }
 
 template <class Core>
