@@ -77,8 +77,14 @@ Connection::Received Connection::receive_by(Clock::time_point deadline) {
 }
 
 bool Connection::wait_for_either(Clock::time_point deadline) {
-  const int left_ms = milliseconds_until(deadline);
-  return left_ms > 0 && !either_->wait(left_ms).empty();
+  for (;;) {
+    const int left_ms = milliseconds_until(deadline);
+    const auto ready = either_->wait(std::max(left_ms, 0));
+    const bool socket =
+        std::ranges::any_of(ready, [](const epoll_event& e) { return e.data.ptr != nullptr; });
+    if (socket || has_letter()) return true;
+    if (left_ms <= 0) return false;  // otherwise the bell was heard for a letter that has been taken already
+  }
 }
 
 Connection::Received Connection::receive() {
@@ -132,7 +138,7 @@ void Connection::use(Mailbox mailbox, Waits waits) {
   mailbox_.emplace(std::move(mailbox));
   if (waits == Waits::elsewhere) return;
   either_.emplace();
-  either_->watch(fd_.get(), EPOLLIN, nullptr);
+  either_->watch(fd_.get(), EPOLLIN, this);
   either_->watch(mailbox_->bell(), EPOLLIN | EPOLLET, nullptr);
 }
 
