@@ -48,6 +48,7 @@ class Connection {
 
   static constexpr size_t kMaxDescriptors = 3;  // that go with bytes, or come
   void attach(int fd);                          // a copy goes with the next bytes
+  bool has_descriptors() const { return !received_.empty(); }
   std::vector<UniqueFd> take_descriptors() { return std::exchange(received_, {}); }
 
   // Who waits for a letter: a server does among all its connections, receive_by() does here.

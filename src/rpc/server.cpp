@@ -257,7 +257,7 @@ void Server::call(Peer& peer, const Envelope& envelope, const Service::Entry& en
                   const Marks& marks) {
   const Value reply = entry.codec->reply.make();
   ServedCall call(peer.id, dispatcher_.suite(), peer.client);
-  call.set_incoming(peer.connection.take_descriptors());
+  if (peer.connection.has_descriptors()) call.set_incoming(peer.connection.take_descriptors());
   const Dispatcher::Outcome outcome = dispatcher_.run(entry, request, reply.get(), call, begin_);
   begin_ = outcome.end;
   if (outcome.error) {
