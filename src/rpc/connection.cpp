@@ -105,7 +105,7 @@ Connection::Received Connection::receive_letter() {
   const auto size = mailbox_->take(in_.data());
   if (!size) return Received::closed;  // a peer that says what cannot be is no peer
   end_ = *size;
-  by_letter_ = true;
+  by_letter_ = !either_;  // a server answers the same way; what a client sends next may be more than one call
   return Received::bytes;
 }
 

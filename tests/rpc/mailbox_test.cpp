@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <cstring>
 
 #include "fixture.hpp"
+#include "rpc/encoder.hpp"
 #include "rpc/json.hpp"
+#include "rpc/wire.hpp"
 
 namespace animado::rpc::testing {
 namespace {
@@ -220,6 +223,81 @@ TEST_F(MailboxTest, WhoGetsNoneGoesOnOverTheSocket) {
          std::string::npos) {  // until the first is seen to be gone
   }
   EXPECT_EQ(clients.back().ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+}
+
+// A server of one client, which answers whatever it is asked with an empty map, and remembers how it was
+// asked.
+class Listener {
+ public:
+  explicit Listener(const fs::path& socket) : listener_(listen_at(socket)), thread_([this] { serve(); }) {}
+  ~Listener() { thread_.join(); }
+  // Once the client is gone: how many requests came, and which of them as letters.
+  const std::vector<bool>& letters() {
+    thread_.join();
+    thread_ = std::thread([] {});
+    return letters_;
+  }
+
+ private:
+  void serve() {
+    wait_until(listener_.get(), POLLIN, Clock::now() + seconds(kLong_s));
+    Connection client(UniqueFd(accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK)));
+    bool letter = false;
+    for (;;) {
+      std::string_view message;
+      while (client.next_message(message)) {
+        letters_.push_back(letter);
+        answer(client, message);
+      }
+      pollfd both[] = {{client.fd(), POLLIN, 0},
+                       {client.mailbox() ? client.mailbox()->bell() : -1, POLLIN, 0}};
+      if (!client.has_letter()) poll(both, 2, 1);
+      letter = client.has_letter();
+      if (client.receive() == Connection::Received::closed) return;
+    }
+  }
+  static void answer(Connection& client, std::string_view message) {
+    Envelope envelope;
+    read_envelope(message, envelope);
+    client.flush();
+    if (envelope.method == OpenMailbox::name) {
+      client.use(Mailbox::make(), Connection::Waits::elsewhere);
+      for (int fd : client.mailbox()->descriptors()) client.attach(fd);
+    }
+    const Hello::Reply hello{"parrot", "1", kProtocolVersion, 1};
+    const OpenMailbox::Reply room{Mailbox::kRoom};
+    const Nothing nothing;
+    Encoder out(client.out());
+    begin_result(envelope.id, out);
+    if (envelope.method == Hello::name) {
+      pack(type_of<Hello::Reply>(), &hello, out);
+    } else if (envelope.method == OpenMailbox::name) {
+      pack(type_of<OpenMailbox::Reply>(), &room, out);
+    } else {
+      pack(type_of<Nothing>(), &nothing, out);
+    }
+    client.flush();
+  }
+
+  UniqueFd listener_;
+  std::vector<bool> letters_;
+  std::thread thread_;
+};
+
+TEST_F(SocketTest, TheNinthCallOfAChannelIsALetterAndManyAtOnceAreNot) {
+  const fs::path socket = directory_.path() / "parrot.sock";
+  Listener listener(socket);
+  {
+    SocketSuite suite(options());
+    SocketChannel& parrot = suite.server("parrot", socket);
+    for (int i = 0; i < 9; ++i) parrot.call<Empty>({});
+    const std::vector<Nothing> requests(3);
+    parrot.call_all<Empty>(requests);
+    parrot.call<Empty>({});
+  }
+  std::vector<bool> expected(9, false);  // hello, seven calls, the request for a mailbox
+  expected.insert(expected.end(), {true, true, false, false, false, true});
+  EXPECT_EQ(listener.letters(), expected);
 }
 
 TEST_F(MailboxTest, AChannelThatIsCalledOftenOpensOne) {
