@@ -86,6 +86,95 @@ TEST(Mailbox, IsOpenedFromThreeDescriptorsOfOneOnly) {
   EXPECT_EQ(error_of([&] { Mailbox::open(copies(std::array{0, 1, 2})); }).code(), Code::bad_shape);
 }
 
+// Both ends of a connection with a mailbox.
+struct Ends {
+  Ends() {
+    int both[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, both) != 0) throw std::runtime_error("no pair");
+    server.emplace(UniqueFd(both[0]));
+    client.emplace(UniqueFd(both[1]));
+    Mailbox mailbox = Mailbox::make();
+    client->use(Mailbox::open(copies(mailbox.descriptors())), Connection::Waits::here);
+    server->use(std::move(mailbox), Connection::Waits::elsewhere);
+  }
+  std::optional<Connection> server, client;
+};
+
+std::string next(Connection& connection) {
+  std::string_view message;
+  return connection.next_message(message) ? json_of(message) : "nothing";
+}
+
+TEST(MailboxEnds, AnAnswerIsALetterAndWhatFollowsItIsNot) {
+  Ends ends;
+  ends.client->out() = packed_of("1");
+  ends.client->call_by_letter();
+  ends.client->flush();
+  EXPECT_EQ(ends.server->receive(), Connection::Received::bytes);
+  EXPECT_EQ(next(*ends.server), "1");
+  ends.server->out() = packed_of("2");
+  ends.server->flush();
+  EXPECT_TRUE(ends.client->has_letter());
+  EXPECT_EQ(ends.client->receive(), Connection::Received::bytes);
+  EXPECT_EQ(next(*ends.client), "2");
+  for (Connection* end : {&*ends.server, &*ends.client}) {
+    end->out() = packed_of("3");
+    end->flush();
+  }
+  EXPECT_FALSE(ends.client->has_letter());
+  EXPECT_FALSE(ends.server->has_letter());
+  EXPECT_EQ(ends.client->receive(), Connection::Received::bytes);
+  EXPECT_EQ(next(*ends.client), "3");
+}
+
+TEST(MailboxEnds, WhatHasBegunToGoOverTheSocketEndsThere) {
+  Ends ends;
+  const int small = 1;  // the kernel rounds it up to what sends such messages in two pieces
+  setsockopt(ends.server->fd(), SOL_SOCKET, SO_SNDBUF, &small, sizeof small);
+  const std::string message = packed_of('"' + std::string(4000, 'x') + '"');
+  ASSERT_LT(message.size(), Mailbox::kRoom);
+  while (ends.server->unsent() == 0) {
+    ends.server->out() += message;
+    ends.server->flush();
+  }
+  for (char taken; ends.server->unsent() == message.size(); ends.server->flush())
+    ASSERT_EQ(recv(ends.client->fd(), &taken, 1, 0), 1);
+  ASSERT_GT(ends.server->unsent(), 0u);
+  ends.server->call_by_letter();
+  ends.server->flush();
+  EXPECT_FALSE(ends.client->has_letter());
+}
+
+TEST(MailboxEnds, ALetterWaitsUntilTheMessageBeforeItIsWhole) {
+  Ends ends;
+  const auto begin = Clock::now();
+  const std::string text = packed_of(R"("over the socket")");
+  ends.server->out() = text.substr(0, 4);
+  ends.server->flush();
+  EXPECT_EQ(ends.client->receive_by(begin + seconds(kLong_s)), Connection::Received::bytes);
+  EXPECT_EQ(next(*ends.client), "nothing");
+  ends.server->out() = packed_of("1");
+  ends.server->call_by_letter();
+  ends.server->flush();
+  EXPECT_TRUE(ends.client->has_letter());
+  EXPECT_EQ(ends.client->receive_by(begin + seconds(kLong_s)), Connection::Received::nothing);  // the bell
+  ends.server->out() = text.substr(4);
+  ends.server->flush();
+  EXPECT_EQ(ends.client->receive_by(begin + seconds(kLong_s)), Connection::Received::bytes);
+  EXPECT_EQ(next(*ends.client), R"("over the socket")");
+  EXPECT_EQ(ends.client->receive_by(begin + seconds(kLong_s)), Connection::Received::bytes);
+  EXPECT_EQ(next(*ends.client), "1");
+  EXPECT_LT(Clock::now() - begin, seconds(kLong_s / 2)) << "nobody waited for a bell that had been heard";
+}
+
+TEST(MailboxEnds, WhoWaitsForALetterHearsThatThePeerIsGone) {
+  Ends ends;
+  const auto begin = Clock::now();
+  ends.server.reset();
+  EXPECT_EQ(ends.client->receive_by(begin + seconds(kLong_s)), Connection::Received::closed);
+  EXPECT_LT(Clock::now() - begin, seconds(kLong_s / 2));
+}
+
 // A client, message by message, that sees which way each came.
 class Client {
  public:
@@ -229,7 +318,9 @@ TEST_F(MailboxTest, WhoGetsNoneGoesOnOverTheSocket) {
 // asked.
 class Listener {
  public:
-  explicit Listener(const fs::path& socket) : listener_(listen_at(socket)), thread_([this] { serve(); }) {}
+  // refusal: what who asks for a mailbox is told.
+  explicit Listener(const fs::path& socket, std::optional<Code> refusal = {})
+      : listener_(listen_at(socket)), refusal_(refusal), thread_([this] { serve(); }) {}
   ~Listener() { thread_.join(); }
   // Once the client is gone: how many requests came, and which of them as letters.
   const std::vector<bool>& letters() {
@@ -256,22 +347,27 @@ class Listener {
       if (client.receive() == Connection::Received::closed) return;
     }
   }
-  static void answer(Connection& client, std::string_view message) {
+  void answer(Connection& client, std::string_view message) const {
     Envelope envelope;
     read_envelope(message, envelope);
-    client.flush();
-    if (envelope.method == OpenMailbox::name) {
+    const bool opens = envelope.method == OpenMailbox::name;
+    Encoder out(client.out());
+    if (opens && refusal_) {
+      write_error(envelope.id, Error(*refusal_, "no", {}, "do without"), out);
+      client.flush();
+      return;
+    }
+    if (opens) {
       client.use(Mailbox::make(), Connection::Waits::elsewhere);
       for (int fd : client.mailbox()->descriptors()) client.attach(fd);
     }
     const Hello::Reply hello{"parrot", "1", kProtocolVersion, 1};
     const OpenMailbox::Reply room{Mailbox::kRoom};
     const Nothing nothing;
-    Encoder out(client.out());
     begin_result(envelope.id, out);
     if (envelope.method == Hello::name) {
       pack(type_of<Hello::Reply>(), &hello, out);
-    } else if (envelope.method == OpenMailbox::name) {
+    } else if (opens) {
       pack(type_of<OpenMailbox::Reply>(), &room, out);
     } else {
       pack(type_of<Nothing>(), &nothing, out);
@@ -280,6 +376,7 @@ class Listener {
   }
 
   UniqueFd listener_;
+  std::optional<Code> refusal_;
   std::vector<bool> letters_;
   std::thread thread_;
 };
@@ -298,6 +395,27 @@ TEST_F(SocketTest, TheNinthCallOfAChannelIsALetterAndManyAtOnceAreNot) {
   std::vector<bool> expected(9, false);  // hello, seven calls, the request for a mailbox
   expected.insert(expected.end(), {true, true, false, false, false, true});
   EXPECT_EQ(listener.letters(), expected);
+}
+
+TEST_F(SocketTest, AServerThatHasNoMailboxIsCalledOverTheSocket) {
+  for (Code refusal : {Code::limit, Code::unknown_method}) {
+    const fs::path socket = directory_.path() / fmt::format("{}.sock", name_of(refusal));
+    Listener listener(socket, refusal);
+    {
+      SocketSuite suite(options());
+      for (int i = 0; i < 20; ++i) suite.server("parrot", socket).call<Empty>({});
+    }
+    EXPECT_EQ(listener.letters(), std::vector<bool>(22, false));
+  }
+}
+
+TEST_F(SocketTest, AServerThatFailsToMakeAMailboxIsNotTakenForOneWithout) {
+  const fs::path socket = directory_.path() / "parrot.sock";
+  Listener listener(socket, Code::internal);
+  SocketSuite suite(options());
+  SocketChannel& parrot = suite.server("parrot", socket);
+  for (int i = 0; i < 7; ++i) parrot.call<Empty>({});
+  EXPECT_EQ(error_of([&] { parrot.call<Empty>({}); }).code(), Code::internal);
 }
 
 TEST_F(MailboxTest, AChannelThatIsCalledOftenOpensOne) {
