@@ -234,6 +234,7 @@ void Stepper::check_finite() const {
     const std::span<const double> values(now_.values + row * bodies_, bodies_);
     if (all_within(values, most)) continue;
     const auto at = std::ranges::find_if(values, [&](double v) { return !(std::abs(v) <= most); });
+    if (at == values.end()) continue;  // who shares the memory wrote meanwhile
     throw Error(Code::diverged,
                 fmt::format("the motion of `{}` diverged at t = {:.9g} s",
                             scene_.bodies[static_cast<size_t>(at - values.begin())].name, time_s_),

@@ -56,6 +56,7 @@ double checked_threshold(double threshold) {
 void refuse_infinite(std::span<const double> numbers, const char* where) {
   if (all_finite(numbers)) return;
   const auto found = std::ranges::find_if_not(numbers, [](double v) { return std::isfinite(v); });
+  if (found == numbers.end()) return;  // who shares the memory wrote meanwhile
   throw Error(Code::not_finite, fmt::format("element {} is {}", found - numbers.begin(), *found),
               fmt::format("{}[{}]", where, found - numbers.begin()), "send finite numbers only");
 }

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <span>
@@ -130,8 +131,12 @@ bool Connection::next_message(std::string_view& message) {
   return true;
 }
 
-void Connection::attach(int fd) {
-  attached_.emplace_back(fcntl(fd, F_DUPFD_CLOEXEC, 0));
+void Connection::attach(std::span<const int> descriptors) {
+  assert(attached_.empty() && descriptors.size() <= kMaxDescriptors);
+  for (int fd : descriptors) {
+    if (UniqueFd copy(fcntl(fd, F_DUPFD_CLOEXEC, 0)); copy) attached_.push_back(std::move(copy));
+  }
+  attached_at_ = out_.size();
 }
 
 void Connection::use(Mailbox mailbox, Waits waits) {
@@ -158,13 +163,14 @@ bool Connection::flush_as_letter() {
 
 bool Connection::flush_to_socket() {
   while (sent_ < out_.size()) {
-    const std::string_view rest = std::string_view(out_).substr(sent_);
-    const ssize_t count = attached_.empty()
-                              ? ::send(fd_.get(), rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL)
-                              : send_with(fd_.get(), rest, attached_);
+    const bool with = has_attached() && sent_ == attached_at_;
+    const size_t end = has_attached() && !with ? attached_at_ : out_.size();
+    const std::string_view rest = std::string_view(out_).substr(sent_, end - sent_);
+    const ssize_t count = with ? send_with(fd_.get(), rest, attached_)
+                               : ::send(fd_.get(), rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return errno == EAGAIN;
-    attached_.clear();
+    if (with) attached_.clear();
     sent_ += static_cast<size_t>(count);
   }
   out_.clear();

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,7 +48,10 @@ class Connection {
   size_t unsent() const { return out_.size() - sent_; }
 
   static constexpr size_t kMaxDescriptors = 3;  // that go with bytes, or come
-  void attach(int fd);                          // a copy goes with the next bytes
+  // Copies go with the first of the bytes that are appended next. One message's at a time, until they are
+  // sent.
+  void attach(std::span<const int> descriptors);
+  bool has_attached() const { return !attached_.empty(); }
   bool has_descriptors() const { return !received_.empty(); }
   std::vector<UniqueFd> take_descriptors() { return std::exchange(received_, {}); }
 
@@ -71,6 +75,7 @@ class Connection {
   UniqueFd fd_;
   Descriptors descriptors_;
   std::vector<UniqueFd> attached_, received_;
+  size_t attached_at_ = 0;  // of out_
   std::optional<Mailbox> mailbox_;
   std::optional<Epoll> either_;  // the socket and the bell of the mailbox, of who waits here for both
   bool by_letter_ = false;

@@ -176,7 +176,7 @@ void Server::flush(Peer& peer) {
 
 bool Server::serve(Peer& peer) {
   if (peer.connection.unsent() > 0) flush(peer);
-  if (peer.ending || peer.connection.unsent() > kMaxUnsent) return peer.ending;
+  if (peer.ending || is_behind(peer)) return peer.ending;
   const bool received = receive(peer);
   if (!peer.ending)
     serve_messages(peer);  // when nothing came there may be what was left while the peer did not read
@@ -187,6 +187,10 @@ bool Server::serve(Peer& peer) {
   last_done_ = Clock::now();
   dispatcher_.was_busy(last_done_ - last_arrival_);
   return true;
+}
+
+bool Server::is_behind(const Peer& peer) {
+  return peer.connection.unsent() > kMaxUnsent || peer.connection.has_attached();
 }
 
 bool Server::receive(Peer& peer) {
@@ -201,9 +205,9 @@ bool Server::receive(Peer& peer) {
 // us.
 void Server::serve_messages(Peer& peer) {
   bool held_back = true;
-  while (held_back && !peer.ending && peer.connection.unsent() <= kMaxUnsent) {
+  while (held_back && !peer.ending && !is_behind(peer)) {
     answer_all(peer);
-    held_back = peer.connection.unsent() > kMaxUnsent;
+    held_back = is_behind(peer);
     if (peer.connection.unsent() > 0) flush(peer);
   }
 }
@@ -212,7 +216,7 @@ void Server::answer_all(Peer& peer) {
   Envelope envelope;
   try {
     std::string_view message;
-    while (!peer.ending && peer.connection.unsent() <= kMaxUnsent && peer.connection.next_message(message)) {
+    while (!peer.ending && !is_behind(peer) && peer.connection.next_message(message)) {
       envelope = {};
       read_envelope(message, envelope);
       answer(peer, envelope);
@@ -264,10 +268,8 @@ void Server::call(Peer& peer, const Envelope& envelope, const Service::Entry& en
     send_error(peer, envelope, *outcome.error);
   } else {
     if (!peer.greeted) greet(peer, *static_cast<const Hello::Request*>(request));
-    if (!call.outgoing().empty()) {
-      flush(peer);  // descriptors go with the bytes that follow
-      for (int fd : call.outgoing()) peer.connection.attach(fd);
-    }
+    if (!call.outgoing().empty() && envelope.kind == Envelope::Kind::request)
+      peer.connection.attach(call.outgoing());
     send_result(peer, envelope, entry.codec->reply, reply.get());
   }
   // Replies to requests that came together leave together; to count and log waits until they are on their

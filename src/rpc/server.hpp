@@ -62,6 +62,7 @@ class Server {
   void accept_all();
   bool serve(Peer& peer);  // true when something came
   bool receive(Peer& peer);
+  static bool is_behind(const Peer& peer);  // in reading, so that it is not served further
   void serve_messages(Peer& peer);
   void answer_all(Peer& peer);
   void answer(Peer& peer, const Envelope& envelope);

@@ -102,10 +102,10 @@ std::string_view SocketChannel::attempt(std::string_view method, std::string_vie
   if (!connection_) connect();
   const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
   if (++calls_ == kCallsBeforeMailbox) ask_for_mailbox(deadline);
+  if (given >= 0) connection_->attach({&given, 1});
   Encoder out(connection_->out());
   begin_request(++id_, method, out);
   out.raw(params);
-  if (given >= 0) connection_->attach(given);
   connection_->call_by_letter();
   send(deadline, method);
   const std::string_view result = receive_reply(id_, deadline, method);

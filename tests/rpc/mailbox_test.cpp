@@ -314,6 +314,35 @@ TEST_F(MailboxTest, WhoGetsNoneGoesOnOverTheSocket) {
   EXPECT_EQ(clients.back().ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
 }
 
+// A client may ask for more than the socket's buffers hold of answers, and read them later.
+TEST_F(SocketTest, EachAnswerBringsItsDescriptorHoweverLateItIsRead) {
+  constexpr int kMany = 2000;
+  Served names(directory_, std::string(kWellKnown), fill_names);
+  SocketSuite suite(options());
+  suite.arrays().create("a", {1});
+  Client client(names.socket()), other(names.socket());
+  std::string& out = client.connection().out();
+  out += packed_of(R"([2, "array_open", [{"name": "a"}]])");  // no answer, and so no descriptor
+  for (int i = 1; i <= kMany; ++i)
+    out += packed_of(fmt::format(R"([0, {}, "array_open", [{{"name": "a"}}]])", i));
+  while (other.ask(R"([0, 3, "statistics", [{}]])").find(R"("unsent_bytes":0)") != std::string::npos)
+    ASSERT_TRUE(client.connection().flush());
+  int answers = 0, descriptors = 0;
+  const auto deadline = Clock::now() + seconds(kLong_s);
+  while (answers < kMany && Clock::now() < deadline) {
+    ASSERT_TRUE(client.connection().flush());
+    ASSERT_NE(client.connection().receive_by(Clock::now() + seconds(0.01)), Connection::Received::closed);
+    std::string_view message;
+    for (; client.connection().next_message(message); ++answers) {
+      ASSERT_THAT(json_of(message), ::testing::StartsWith(fmt::format("[1,{},null,", answers + 1)));
+    }
+    descriptors += static_cast<int>(client.connection().take_descriptors().size());
+    ASSERT_GE(descriptors, answers);
+  }
+  EXPECT_EQ(answers, kMany);
+  EXPECT_EQ(descriptors, kMany);
+}
+
 // A server of one client, which answers whatever it is asked with an empty map, and remembers how it was
 // asked.
 class Listener {
@@ -359,7 +388,7 @@ class Listener {
     }
     if (opens) {
       client.use(Mailbox::make(), Connection::Waits::elsewhere);
-      for (int fd : client.mailbox()->descriptors()) client.attach(fd);
+      client.attach(client.mailbox()->descriptors());
     }
     const Hello::Reply hello{"parrot", "1", kProtocolVersion, 1};
     const OpenMailbox::Reply room{Mailbox::kRoom};
