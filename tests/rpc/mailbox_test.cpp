@@ -314,6 +314,27 @@ TEST_F(MailboxTest, WhoGetsNoneGoesOnOverTheSocket) {
   EXPECT_EQ(clients.back().ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
 }
 
+TEST(ConnectionEnds, DescriptorsComeWithTheBytesThatTheyWereGivenFor) {
+  int both[2];
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, both), 0);
+  Connection from{UniqueFd(both[0])}, to(UniqueFd(both[1]), Descriptors::taken);
+  const std::string before = packed_of('"' + std::string(40000, 'x') + '"');
+  for (; from.unsent() == 0; from.flush()) from.out() += before;
+  from.out() += before;
+  from.attach(std::array{from.fd(), from.fd()});
+  from.out() += packed_of("1") + packed_of("2");
+  std::string last;
+  while (last != "2") {
+    ASSERT_TRUE(from.flush());
+    ASSERT_EQ(to.receive(), Connection::Received::bytes);
+    std::vector<std::string> came;
+    for (std::string text = next(to); text != "nothing"; text = next(to)) came.push_back(text);
+    const bool with = std::ranges::count(came, "1") > 0;
+    EXPECT_EQ(to.take_descriptors().size(), with ? 2u : 0u);
+    if (!came.empty()) last = came.back();
+  }
+}
+
 // A client may ask for more than the socket's buffers hold of answers, and read them later.
 TEST_F(SocketTest, EachAnswerBringsItsDescriptorHoweverLateItIsRead) {
   constexpr int kMany = 2000;
