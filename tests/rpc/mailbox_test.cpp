@@ -298,7 +298,8 @@ TEST_F(MailboxTest, WhoRingsAfterHeLeftDisturbsNobody) {
   }
   Mailbox gone = Mailbox::open(std::move(kept));
   EXPECT_TRUE(gone.put("anybody?"));
-  EXPECT_EQ(other.ask(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+  for (int i = 0; i < 100; ++i)  // a server looks at everybody now and then only
+    EXPECT_EQ(other.ask(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
 }
 
 TEST_F(MailboxTest, WhoGetsNoneGoesOnOverTheSocket) {
