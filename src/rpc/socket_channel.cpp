@@ -20,8 +20,8 @@ namespace {
 // before it is registered.
 constexpr std::chrono::milliseconds kFirstPause{1}, kLongestPause{100};
 
-// A connection over which one calls more often gets a mailbox.
-constexpr int64_t kCallsBeforeMailbox = 8;
+// From this call on a connection is worth a mailbox.
+constexpr int64_t kCallWithMailbox = 8;
 
 // Waits for a service to come back: until a socket appears in the folder, or a pause that doubles is over.
 class Comeback {
@@ -101,7 +101,7 @@ void SocketChannel::repeat(std::string_view method, const std::function<void()>&
 std::string_view SocketChannel::attempt(std::string_view method, std::string_view params, int given) {
   if (!connection_) connect();
   const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
-  if (++calls_ == kCallsBeforeMailbox) ask_for_mailbox(deadline);
+  if (++calls_ == kCallWithMailbox) ask_for_mailbox(deadline);
   if (given >= 0) connection_->attach({&given, 1});
   Encoder out(connection_->out());
   begin_request(++id_, method, out);

@@ -6,49 +6,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "fixture.hpp"
-#include "rpc/json.hpp"
+#include "raw.hpp"
 #include "rpc/one_core.hpp"
 
 namespace animado::rpc::testing {
 namespace {
-
-using ::testing::HasSubstr;
-
-// Writes bytes and reads replies as JSON text.
-class Raw {
- public:
-  explicit Raw(const fs::path& socket) : connection_(connect_to(socket)) {}
-
-  // Hands over what the server takes now; the rest goes while replies are waited for.
-  void send(std::string_view bytes) {
-    connection_.out() += bytes;
-    connection_.flush();
-  }
-  void send_json(std::string_view json) { send(packed_of(json)); }
-  // The next message, or "closed".
-  std::string receive() {
-    std::string_view message;
-    while (!connection_.next_message(message)) {
-      const bool more = connection_.flush() && connection_.unsent() > 0;
-      pollfd entry{connection_.fd(), static_cast<short>(more ? POLLIN | POLLOUT : POLLIN), 0};
-      if (poll(&entry, 1, 10000) != 1) throw std::runtime_error("the server says nothing");
-      if (connection_.receive() == Connection::Received::closed) return "closed";
-    }
-    return json_of(message);
-  }
-  std::string ask(std::string_view json) {
-    send_json(json);
-    return receive();
-  }
-  void hello() {
-    EXPECT_THAT(ask(R"([0, 1, "hello", [{"protocol": "animado", "version": 1}]])"),
-                HasSubstr(R"("service":"parrot")"));
-  }
-
- private:
-  Connection connection_;
-};
 
 class ServerTest : public SocketTest {
  protected:
