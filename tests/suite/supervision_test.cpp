@@ -64,23 +64,24 @@ class Supervision : public testing::Test {
     return 0;
   }
 
-  // Kills the service once it has done some work, and waits until another process has taken its place.
-  void kill_at_work(Command& command, const std::string& service) {
-    const auto over = [&] { return !command.running(); };
-    const uintmax_t before = logged(command, service);
-    ASSERT_TRUE(wait_until([&] { return logged(command, service) > before + kSomeWork; }, over))
-        << command.err();
-    const pid_t pid = pid_of(service);
-    ASSERT_GT(pid, 0);
+  // Its process once it is registered. Asked before there is work: while we ask, the run may end.
+  static pid_t first_pid_of(const Command& command, const std::string& service) {
+    pid_t pid = 0;
+    wait_until([&] { return (pid = pid_of(service)) != 0; }, [&] { return !command.running(); });
+    return pid;
+  }
+
+  // Until the service has done some of the run; false when the run is over before.
+  bool wait_for_work(const Command& command, const std::string& service) const {
+    return wait_until([&] { return logged(command, service) > kSomeWork; },
+                      [&] { return !command.running(); });
+  }
+
+  void kill_at_work(const Command& command, const std::string& service) const {
+    const pid_t pid = first_pid_of(command, service);
+    ASSERT_GT(pid, 0) << command.err();  // kill(0, …) would be for all of us
+    ASSERT_TRUE(wait_for_work(command, service)) << command.err();
     ASSERT_EQ(kill(pid, SIGKILL), 0);
-    ASSERT_TRUE(wait_until(
-        [&] {
-          const pid_t now = pid_of(service);
-          return now != 0 && now != pid;
-        },
-        over))
-        << service << " did not come back\n"
-        << command.err();
   }
 
   static std::string snapshot() { return animado({"snapshot", "--run", kRun}).out; }
@@ -141,11 +142,11 @@ TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBi
   words.push_back("--keep-services");  // what is asked below may take longer than the run
   Command command(directory_, words);
   const auto over = [&] { return !command.running(); };
-  ASSERT_TRUE(wait_until([&] { return logged(command, "egesp") > kSomeWork; }, over)) << command.err();
+  const pid_t pid = first_pid_of(command, "interexpserv");
+  ASSERT_GT(pid, 0) << command.err();
+  ASSERT_TRUE(wait_for_work(command, "egesp")) << command.err();
   const std::string names = snapshot();
   EXPECT_THAT(names, testing::HasSubstr("ball.force = "));
-  const pid_t pid = pid_of("interexpserv");
-  ASSERT_GT(pid, 0);
   ASSERT_EQ(kill(pid, SIGKILL), 0);
   const auto is_back = [&] { return pid_of("interexpserv") != 0 && pid_of("interexpserv") != pid; };
   ASSERT_TRUE(wait_until(is_back, over)) << "interexpserv did not come back\n" << command.err();
@@ -165,12 +166,11 @@ TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBi
 
 TEST_F(Supervision, ServicesDieWithTheSupervisor) {
   Command command(directory_, {"run", "scene.animado", "--no-pictures", "--run", kRun});
-  const auto over = [&] { return !command.running(); };
-  ASSERT_TRUE(wait_until([&] { return logged(command, "colisao") > kSomeWork; }, over)) << command.err();
   std::vector<pid_t> pids;
   for (const std::string service : {"interexpserv", "egesp", "fred", "colisao"})
-    pids.push_back(pid_of(service));
+    pids.push_back(first_pid_of(command, service));
   ASSERT_THAT(pids, testing::Each(testing::Gt(0)));  // kill(0, 0) would answer for ever
+  ASSERT_TRUE(wait_for_work(command, "colisao")) << command.err();
   command.signal(SIGKILL);
   command.finish();
   for (const pid_t pid : pids) {
