@@ -29,9 +29,17 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
+// What the file holds now, nothing where there is none. To read on until the end of one that is being written may never
+// come to it: a run writes its logs at 100 MB/s.
 inline std::string text_of(const std::filesystem::path& file) {
+  std::error_code missing;
+  const auto size = std::filesystem::file_size(file, missing);
+  if (missing) return {};
+  std::string text(size, '\0');
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  in.read(text.data(), static_cast<std::streamsize>(size));
+  text.resize(static_cast<size_t>(in.gcount()));
+  return text;
 }
 
 inline std::filesystem::path write_text(const std::filesystem::path& file, const std::string& text) {
