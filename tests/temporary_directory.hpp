@@ -29,8 +29,8 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-// What the file holds now, nothing where there is none. To read on until the end of one that is being written may never
-// come to it: a run writes its logs at 100 MB/s.
+// What the file holds now, nothing where there is none. To read on until the end of one that is being written
+// may never come to it: a run writes its logs at 100 MB/s.
 inline std::string text_of(const std::filesystem::path& file) {
   std::error_code missing;
   const auto size = std::filesystem::file_size(file, missing);

@@ -1,16 +1,17 @@
-// The exit codes of the command line: part of the interface, see docs/architecture.md.
+// The exit codes of the command line: part of the interface, see docs/results.md.
 #pragma once
 
 #include "base/error.hpp"
+#include "console/output.hpp"
 
 namespace animado {
 
 enum ExitCode : int {
   kDone = 0,
-  kUsage = 2,     // the command line makes no sense, or a service refused what it was asked
-  kRefused = 3,   // the scene cannot be read, or is physical nonsense
-  kDiverged = 4,  // the motion left the finite
-  kLost = 5,      // a service cannot be reached, or was lost and could not be brought back
+  kUsage = 2,           // the command line makes no sense, or a service refused what it was asked
+  kRefused = 3,         // the scene cannot be read, or is physical nonsense
+  kDiverged = 4,        // the motion left the finite
+  kLost = kOutputLost,  // a service is out of reach, or died for good; or what was written did not arrive
   kInterrupted = 130,
 };
 

@@ -1,9 +1,12 @@
 // animado: the command line of the suite.
 #include "animado/commands.hpp"
+#include "console/output.hpp"
 #include "console/program_manual.hpp"
 #include "console/terminal.hpp"
 
 namespace {
+
+using namespace animado;
 
 constexpr auto kExamples =
     "  animado run scenes/colisao.animado              results in runs/colisao/\n"
@@ -11,10 +14,7 @@ constexpr auto kExamples =
     "  animado eval \"norm((3, 4, 0))\"                  the language of scenes\n"
     "  animado run --help                              examples and options of a command\n";
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  using namespace animado;
+int run(int argc, char** argv) {
   CommandLine line;
   line.app.description("ANIMADO: rigid bodies in motion, simulated by five programs.");
   line.app.name("animado");
@@ -40,4 +40,10 @@ int main(int argc, char** argv) {
     return exit_code_of_call(error.code());
   }
   return line.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return with_output([&] { return run(argc, argv); });
 }

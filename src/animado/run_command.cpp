@@ -53,7 +53,7 @@ void finish(const RunOptions& options, controle::ResultsDirectory& results, Exit
     results.commit();
     std::string report = end_report(results.final_path());
     if (options.replay) report += replay_report(*options.replay, results.final_path());
-    if (!options.quiet) fmt::print(stderr, "{}", report);
+    if (!options.quiet) print_text(report);
     if (options.json) std::cout << std::ifstream(results.final_path() / "summary.json").rdbuf() << std::flush;
   } else {
     print_note("no results; the logs are in " + fs::proximate(results.logs()).string());

@@ -53,6 +53,7 @@ class FiveProcesses {
   std::optional<rpc::OneCore> core_{std::in_place};  // before anything is started
   const fs::path logs_;
   SocketDirectory sockets_;
+  const fs::path said_;  // by controle; not where the results are: that their disk is full must be heard
   rpc::SocketSuite probe_;
   Supervisor supervisor_;
   controle::Progress last_progress_;
@@ -63,6 +64,7 @@ FiveProcesses::FiveProcesses(const RunRequest& request)
     : request_(request),
       logs_(request.directory / "logs"),
       sockets_(request.name),
+      said_(sockets_.path() / "controle.stderr"),
       // It asks whether services are there yet: no is an answer, not something to wait for.
       probe_({.directory = sockets_.path(), .client = "animado", .trace = {}, .reconnect_s = 0}),
       supervisor_(logs_) {
@@ -128,7 +130,7 @@ ExitCode FiveProcesses::run_controle() {
     arguments.insert(arguments.end(), {"--pace-fd", std::to_string(request_.pace_fd)});
     kept.push_back(request_.pace_fd);
   }
-  Child controle(arguments, logs_ / "controle.stderr", kept);
+  Child controle(arguments, said_, kept);
   childs_end.reset();
 
   rpc::LineReader lines(progress.get());
@@ -146,8 +148,8 @@ ExitCode FiveProcesses::run_controle() {
 }
 
 ExitCode FiveProcesses::controle_ended(int status) const {
-  const std::string said = take_text(logs_ / "controle.stderr");
-  fmt::print(stderr, "{}", said);
+  const std::string said = take_text(said_);
+  print_text(said);
   std::ofstream(logs_ / "controle.log", std::ios::app) << said;
   for (const ExitCode code : {kDone, kRefused, kDiverged, kLost, kInterrupted}) {
     if (status == code) return code;

@@ -41,7 +41,8 @@ void ProgressLine::show(double part, Time now, const Text& text) {
   // A line that the terminal breaks is not written over.
   if (const auto size = terminal ? terminal_size(fileno(out_)) : std::nullopt)
     line.resize(std::min(line.size(), static_cast<size_t>(size->columns) - 1));
-  fmt::print(out_, "{}{}{}", terminal ? "\r" : "", line, terminal ? "\x1b[K" : "\n");
+  // Not by fmt::print, which throws where the disk is full: the work goes on without this line.
+  std::fputs(fmt::format("{}{}{}", terminal ? "\r" : "", line, terminal ? "\x1b[K" : "\n").c_str(), out_);
   std::fflush(out_);
   last_shown_ = now;
   last_tenth_ = tenth;
@@ -54,7 +55,7 @@ bool ProgressLine::is_due(int tenth, Time now) const {
 
 void ProgressLine::clear() {
   if (style_ != Style::terminal || !last_shown_) return;
-  fmt::print(out_, "\r\x1b[K");
+  std::fputs("\r\x1b[K", out_);
   std::fflush(out_);
   last_shown_.reset();
 }

@@ -37,14 +37,18 @@ std::string painted(std::string_view text, Paint paint) {
   return fmt::format("\x1b[{}m{}\x1b[0m", kCodes[static_cast<size_t>(paint)], text);
 }
 
+void print_text(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 void print_error(const Error& error) {
   const std::string where = error.where().empty() ? "" : error.where() + ": ";
-  fmt::print(stderr, "{} {}{}\n", painted("error:", Paint::red), where, error.message());
-  if (!error.remedy().empty()) fmt::print(stderr, "  {}\n", error.remedy());
+  print_note(fmt::format("{} {}{}", painted("error:", Paint::red), where, error.message()));
+  if (!error.remedy().empty()) print_note("  " + error.remedy());
 }
 
 void print_note(std::string_view text) {
-  fmt::print(stderr, "{}\n", text);
+  print_text(std::string(text) + "\n");
 }
 
 }  // namespace animado

@@ -21,8 +21,10 @@ enum class Paint { bold, red, green, dim };
 // In colour where stderr shows colours.
 std::string painted(std::string_view text, Paint paint);
 
+// To stderr, as it is. What does not arrive, on a full disk, is lost: there is nowhere else to tell of it.
+void print_text(std::string_view text);
 // "error: file:line:column: what was found", the remedy under it.
 void print_error(const Error& error);
-void print_note(std::string_view text);
+void print_note(std::string_view text);  // with an end of line
 
 }  // namespace animado

@@ -6,7 +6,9 @@
 #include <csignal>
 
 #include "base/error.hpp"
+#include "console/output.hpp"
 #include "console/program_manual.hpp"
+#include "console/terminal.hpp"
 #include "controle/pace.hpp"
 #include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
@@ -24,9 +26,7 @@ int exit_code(Code code) {
   return lost ? 5 : 3;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app(
       "Reads a scene, steps its time with egesp, fred and colisao, writes the results. `animado run` starts "
       "the five together.",
@@ -76,7 +76,13 @@ int main(int argc, char** argv) {
     rpc::SocketSuite suite(suite_options);
     return controle::run(options, suite).status == controle::RunStatus::interrupted ? 130 : 0;
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    print_note(error.what());
     return exit_code(error.code());
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return with_output([&] { return run(argc, argv); });
 }

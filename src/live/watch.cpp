@@ -67,7 +67,8 @@ void Watch::serve() {
   try {
     server_.run();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "animado: the run goes on without its page: {}\n", error.what());
+    const auto note = fmt::format("animado: the run goes on without its page: {}\n", error.what());
+    std::fputs(note.c_str(), stderr);
     pace_.reset();
     server_.stop();
     server_.run();

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "console/output.hpp"
 #include "console/program_manual.hpp"
+#include "console/terminal.hpp"
 #include "rpc/dispatcher.hpp"
 #include "rpc/endpoint.hpp"
 #include "rpc/registration.hpp"
@@ -90,10 +92,7 @@ void start(const DaemonInfo& info, Options options, const std::function<void(Ser
   options.list ? print_messages(service) : serve(info.name, dispatcher, options);
 }
 
-}  // namespace
-
-int run_daemon(int argc, char** argv, const DaemonInfo& info,
-               const std::function<void(Service&, Suite&)>& table) {
+int run(int argc, char** argv, const DaemonInfo& info, const std::function<void(Service&, Suite&)>& table) {
   CLI::App app(info.manual, info.name);
   Options options;
   add_options(app, options);
@@ -112,9 +111,16 @@ int run_daemon(int argc, char** argv, const DaemonInfo& info,
     start(info, std::move(options), table);
     return 0;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", info.name, error.what());
+    print_note(fmt::format("{}: {}", info.name, error.what()));
     return 1;
   }
+}
+
+}  // namespace
+
+int run_daemon(int argc, char** argv, const DaemonInfo& info,
+               const std::function<void(Service&, Suite&)>& table) {
+  return with_output([&] { return run(argc, argv, info, table); });
 }
 
 }  // namespace animado::rpc

@@ -1,10 +1,14 @@
 // visao: pictures and films of a run, from its results folder.
+#include "console/output.hpp"
 #include "console/program_manual.hpp"
 #include "console/terminal.hpp"
 #include "visao/command_line.hpp"
 
-int main(int argc, char** argv) {
-  using namespace animado;
+namespace {
+
+using namespace animado;
+
+int run(int argc, char** argv) {
   constexpr int kUsage = 2;
   visao::Options options;
   CLI::App app("Pictures and films of a run", "visao");
@@ -22,4 +26,10 @@ int main(int argc, char** argv) {
     print_error(error);
     return kUsage;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return with_output([&] { return run(argc, argv); });
 }

@@ -115,6 +115,15 @@ TEST(ProgressLine, IsSilentWhenTold) {
   EXPECT_EQ(written.text(), "");
 }
 
+TEST(ProgressLine, IsLostOnAFullDiskAndTheWorkGoesOn) {
+  std::FILE* const full = std::fopen("/dev/full", "w");
+  {
+    ProgressLine line(Style::terminal, full, {});
+    EXPECT_NO_THROW(show(line, 50, ProgressLine::Time{} + seconds(50)));
+  }
+  std::fclose(full);
+}
+
 TEST(ProgressLine, SaysHowLongTheWorkHasTaken) {
   Written written;
   ProgressLine line(Style::lines, written.file(), ProgressLine::Time{} + seconds(5));

@@ -49,6 +49,9 @@ step 0.1
 class ExitCodes : public testing::Test {
  protected:
   std::string scene(const std::string& text) { return write_text(directory_ / "scene.animado", text); }
+  Outcome in_shell(const std::string& arguments) {
+    return Command(directory_, {"-c", "exec \"$0\" " + arguments, kAnimado}, "/bin/sh").finish();
+  }
   TemporaryDirectory directory_;
 };
 
@@ -111,6 +114,20 @@ TEST_P(BothWays, HundredAndThirtyWhenInterruptedWithUsableResults) {
   EXPECT_FALSE(fs::exists(partial));
 }
 
+// No file may grow beyond 100 kB, which is refused as the space of a full disk is.
+TEST_P(BothWays, FiveWhenTheDiskIsFullWithWhatWasWritten) {
+  Words words = {"-c", "trap '' XFSZ; ulimit -f 200; exec \"$0\" \"$@\"", kAnimado};
+  const Words run = run_words(kLong);
+  words.insert(words.end(), run.begin(), run.end());
+  Command command(directory_, words, "/bin/sh");
+  const fs::path partial = directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());
+  const Outcome outcome = command.finish();
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write"));
+  EXPECT_GT(fs::file_size(partial / "states.csv"), 50'000);
+  EXPECT_FALSE(fs::exists(directory_ / "runs/scene"));
+}
+
 TEST_P(BothWays, PrintsTheSummaryOnStdoutForPrograms) {
   const Outcome outcome = Command(directory_, run_words(kTwoFrames, {"--json", "--quiet"})).finish();
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -132,6 +149,23 @@ TEST_F(ExitCodes, TwoWhenTheResultsWouldReplaceSomethingElse) {
       Command(directory_, {"run", scene(kTwoFrames), "--out", directory_.path()}).finish();
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(text_of(directory_ / "letter"), "dear");
+}
+
+// What is short is written at the end only; of what is long, some is refused before.
+TEST_F(ExitCodes, FiveWhenTheOutputDoesNotArrive) {
+  for (const std::string command : {"eval 1+1", "protocol", "--help", "man run", "--version"}) {
+    const Outcome outcome = in_shell(command + " > /dev/full");
+    EXPECT_EQ(outcome.code, 5) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("cannot write")) << command;
+  }
+  EXPECT_EQ(in_shell("eval 1+ > /dev/full").code, 2);  // which went wrong before
+}
+
+TEST_F(ExitCodes, AreWhatTheyAreWhenTheErrorDoesNotArrive) {
+  EXPECT_EQ(in_shell("eval 1+ 2> /dev/full").code, 2);
+  EXPECT_EQ(in_shell("check none.animado 2> /dev/full").code, 3);
+  scene(kTwoFrames);
+  EXPECT_EQ(in_shell("run scene.animado --no-pictures 2> /dev/full").code, 0);
 }
 
 TEST_F(ExitCodes, FiveWhenNoSuiteRuns) {
