@@ -158,7 +158,7 @@ TEST_F(ExitCodes, FiveWhenTheOutputDoesNotArrive) {
     EXPECT_EQ(outcome.code, 5) << command;
     EXPECT_THAT(outcome.err, HasSubstr("cannot write")) << command;
   }
-  EXPECT_EQ(in_shell("eval 1+ > /dev/full").code, 2);  // which went wrong before
+  EXPECT_EQ(in_shell("check none.animado --json > /dev/full").code, 3);  // went wrong before
 }
 
 TEST_F(ExitCodes, AreWhatTheyAreWhenTheErrorDoesNotArrive) {
