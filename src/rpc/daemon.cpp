@@ -60,7 +60,9 @@ void add_options(CLI::App& app, Options& options) {
 }
 
 void print_messages(const Service& service) {
-  for (const auto& [name, entry] : service.entries()) fmt::print("{:<16} {}\n", name, entry.codec->doc);
+  // Not by fmt::print, whose exception would end as one of a service; with_output sees what did not arrive.
+  for (const auto& [name, entry] : service.entries())
+    std::fputs(fmt::format("{:<16} {}\n", name, entry.codec->doc).c_str(), stdout);
 }
 
 void serve(const std::string& name, Dispatcher& dispatcher, const Options& options) {

@@ -49,8 +49,8 @@ step 0.1
 class ExitCodes : public testing::Test {
  protected:
   std::string scene(const std::string& text) { return write_text(directory_ / "scene.animado", text); }
-  Outcome in_shell(const std::string& arguments) {
-    return Command(directory_, {"-c", "exec \"$0\" " + arguments, kAnimado}, "/bin/sh").finish();
+  Outcome in_shell(const std::string& arguments, const fs::path& program = kAnimado) {
+    return Command(directory_, {"-c", "exec \"$0\" " + arguments, program}, "/bin/sh").finish();
   }
   TemporaryDirectory directory_;
 };
@@ -159,6 +159,8 @@ TEST_F(ExitCodes, FiveWhenTheOutputDoesNotArrive) {
     EXPECT_THAT(outcome.err, HasSubstr("cannot write")) << command;
   }
   EXPECT_EQ(in_shell("check none.animado --json > /dev/full").code, 3);  // went wrong before
+  for (const std::string service : {"interexpserv", "egesp", "fred", "colisao"})
+    EXPECT_EQ(in_shell("--messages > /dev/full", fs::path(ANIMADO_BIN_DIR) / service).code, 5) << service;
 }
 
 TEST_F(ExitCodes, AreWhatTheyAreWhenTheErrorDoesNotArrive) {
