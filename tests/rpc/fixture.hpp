@@ -248,4 +248,9 @@ class SocketTest : public ::testing::Test {
   TemporaryDirectory directory_;
 };
 
+class ParrotTest : public SocketTest {
+ protected:
+  Served parrot_{directory_, "parrot", fill_parrot};
+};
+
 }  // namespace animado::rpc::testing

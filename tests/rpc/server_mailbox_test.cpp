@@ -8,10 +8,7 @@
 namespace animado::rpc::testing {
 namespace {
 
-class ServerMailboxTest : public SocketTest {
- protected:
-  Served parrot_{directory_, "parrot", fill_parrot};
-};
+using ServerMailboxTest = ParrotTest;
 
 TEST_F(ServerMailboxTest, WhatCameAsALetterIsAnsweredByOne) {
   Raw client(parrot_.socket());

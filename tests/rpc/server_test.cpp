@@ -12,10 +12,7 @@
 namespace animado::rpc::testing {
 namespace {
 
-class ServerTest : public SocketTest {
- protected:
-  Served parrot_{directory_, "parrot", fill_parrot};
-};
+using ServerTest = ParrotTest;
 
 TEST_F(ServerTest, SpeaksMessagePackRpc) {
   Raw raw(parrot_.socket());
