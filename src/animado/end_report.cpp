@@ -16,26 +16,31 @@ std::string counted(int64_t count, std::string_view one, std::string_view many) 
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+// JSON has no infinity: what is not finite is null.
+double joules_in(const Json& energy, const char* key) {
+  return energy.at(key).is_null() ? NAN : energy.at(key).get<double>();
+}
+
 std::string energy_text(const Json& energy) {
+  const auto joules = [&](const char* key) { return joules_in(energy, key); };
+  if (!std::isfinite(joules("residual"))) return "more than a number holds";
   std::string text = fmt::format("{:.6g} J at the start, {:.6g} J at the end",
-                                 energy.at("initial").get<double>(), energy.at("final").get<double>());
+                                 joules("initial"), joules("final"));
   constexpr std::array<std::pair<const char*, const char*>, 4> kFlows = {
       {{"work_in", "work put in"},
        {"dissipated_impacts", "lost in impacts"},
        {"dissipated_friction", "lost to friction"},
        {"dissipated_damping", "lost to damping"}}};
   constexpr double kRounding = 1e-12;  // of the largest energy: what is less came of rounding alone
-  const auto amount = [&](const char* key) { return std::abs(energy.at(key).get<double>()); };
+  const auto amount = [&](const char* key) { return std::abs(joules(key)); };
   double largest_J = std::max(amount("initial"), amount("final"));
   for (const auto& [key, words] : kFlows) largest_J = std::max(largest_J, amount(key));
   for (const auto& [key, words] : kFlows) {
-    const double joules = energy.at(key).get<double>();
-    if (std::abs(joules) > kRounding * largest_J) text += fmt::format(", {:.6g} J {}", joules, words);
+    if (amount(key) > kRounding * largest_J) text += fmt::format(", {:.6g} J {}", joules(key), words);
   }
-  const double residual_J = energy.at("residual").get<double>();
   if (amount("residual") <= kRounding * largest_J) return text + "; nothing is unaccounted for";
-  return text + fmt::format("; {:.2g} J ({:.1g} %) unaccounted for", residual_J,
-                            100 * std::abs(residual_J) / largest_J);
+  return text + fmt::format("; {:.2g} J ({:.1g} %) unaccounted for", joules("residual"),
+                            100 * amount("residual") / largest_J);
 }
 
 // What a person opens first, of what is there.

@@ -34,12 +34,11 @@ double EmbeddedSteps::step(const Lanes& from, double time_s, double step_s, cons
   if (!goes_on_ || !motion_.start_at_end(from, time_s)) motion_.start(from, time_s);
   goes_on_ = false;
   while (true) {
-    motion_.go(step_s, to);
-    const auto estimate = motion_.estimate(request_);
-    take(estimate, step_s);
-    if (estimate.error <= 1) return step_s;
+    const auto diverged = attempt(step_s, to);
+    if (!request_.last_refused) return step_s;
     step_s = next_s_;
     if (!is_too_short(step_s, time_s)) continue;
+    if (diverged) throw *diverged;
     throw Error(
         Code::diverged,
         fmt::format("no step at t = {:.9g} s is short enough for a tolerance of {:g}", time_s,
@@ -48,6 +47,18 @@ double EmbeddedSteps::step(const Lanes& from, double time_s, double step_s, cons
         "Look for a force without bound, as 1/r^2 at r = 0, or one that is not smooth; or let `world` have a "
         "larger `tolerance`.");
   }
+}
+
+// Returns how the motion diverged, if it did.
+std::optional<Error> EmbeddedSteps::attempt(double step_s, const Lanes& to) try {
+  motion_.go(step_s, to);
+  take(motion_.estimate(request_), step_s);
+  return std::nullopt;
+} catch (const Error& error) {
+  if (error.code() != Code::diverged) throw;
+  next_s_ = kAfterDivergence * step_s;
+  request_.last_refused = true;
+  return error;
 }
 
 // A step that was cut short, by the end of a frame or an impact, says little about how long one may be.

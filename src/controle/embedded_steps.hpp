@@ -30,6 +30,7 @@ class EmbeddedSteps {
   void goes_on(bool from_end) { goes_on_ = from_end; }
 
  private:
+  std::optional<Error> attempt(double step_s, const Lanes& to);
   void take(const fred::Estimate::Reply& estimate, double step_s);
 
   FreeMotion& motion_;

@@ -22,6 +22,7 @@ class Forces {
  public:
   Forces(const Scene& scene, std::vector<Inertia> inertias, std::vector<Drive> drives);
 
+  const Scene& scene() const { return scene_; }
   size_t driven() const { return drives_.size(); }
   size_t body_of(size_t drive) const { return drives_[drive].body; }
 

@@ -1,7 +1,13 @@
 #include "controle/free_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <span>
+
 #include "base/error.hpp"
 #include "base/state.hpp"
+#include "controle/divergence.hpp"
 
 namespace animado::controle {
 namespace {
@@ -71,7 +77,7 @@ rpc::Array FreeMotion::accelerations(size_t stage) const {
   return rpc::Array::named(rates_.array.shared, {6, n}, static_cast<int64_t>(stage * kStateRows + kVx) * n);
 }
 
-void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
+void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) try {
   powers_[stage].resize(forces_.driven());
   forces_.evaluate({state.values, bodies_, time_s}, wrenches_.data(), powers_[stage].data());
   if (contact_forces_) contact_powers_W_[stage] = contact_forces_->add(state, wrenches_.data());
@@ -81,6 +87,22 @@ void FreeMotion::rates(const Lanes& state, double time_s, size_t stage) {
   double* const rates = rates_.values + stage * kStateRows * bodies_;
   equations_.complete_rates(state.values, rates);
   kinematics_.hold(rates, bodies_);
+} catch (const Error& error) {
+  if (error.code() != Code::not_finite) throw;
+  throw divergence_at(state, time_s);
+}
+
+// Of the body whose state is not finite, or else of the one with the largest right-hand side: its
+// accelerations overflowed.
+Error FreeMotion::divergence_at(const Lanes& state, double time_s) const {
+  const auto is_finite = [](double v) { return std::isfinite(v); };
+  const std::span<const double> values(state.values, kStateRows * bodies_);
+  const auto size = [&](size_t e) {
+    return is_finite(right_sides_.values[e]) ? std::abs(right_sides_.values[e]) : INFINITY;
+  };
+  auto at = static_cast<size_t>(std::ranges::find_if_not(values, is_finite) - values.begin());
+  if (at == values.size()) at = *std::ranges::max_element(std::views::iota(size_t{0}, 6 * bodies_), {}, size);
+  return divergence(forces_.scene(), at % bodies_, time_s);
 }
 
 // Writes to `out` where the derivative of this number is evaluated.

@@ -75,6 +75,7 @@ class FreeMotion {
   size_t stages() const { return tableau_.nodes.size(); }
   void make_stage(size_t stage, double node, const Lanes& out);
   void rates(const Lanes& state, double time_s, size_t stage);
+  Error divergence_at(const Lanes& state, double time_s) const;
   void end_rates();
   void normalize(double* state) const;
 

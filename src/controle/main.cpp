@@ -76,7 +76,7 @@ int run(int argc, char** argv) {
     rpc::SocketSuite suite(suite_options);
     return controle::run(options, suite).status == controle::RunStatus::interrupted ? 130 : 0;
   } catch (const Error& error) {
-    print_note(error.what());
+    print_error(error);
     return exit_code(error.code());
   }
 }

@@ -1,5 +1,9 @@
 #include "controle/step_size.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
 #include "base/state.hpp"
 
 namespace animado::controle {
@@ -28,18 +32,23 @@ StepSize::StepSize(FreeMotion& motion, size_t bodies, std::optional<double> give
       half_(motion.make_state("trial_half")),
       halves_(motion.make_state("trial_halves")) {}
 
-double StepSize::error_rate(const Lanes& state, double time_s, double step_s) {
+// Infinite where the motion diverges, which it may not do in a shorter step.
+double StepSize::error_rate(const Lanes& state, double time_s, double step_s) try {
   motion_.step(state, time_s, step_s, whole_);
   motion_.step(state, time_s, step_s / 2, half_);
   motion_.step(half_, time_s + step_s / 2, step_s / 2, halves_);
   double worst = 0;
   for (size_t k = 0; k < kStateRows * bodies_; ++k) {
     const double difference = std::abs(whole_.values[k] - halves_.values[k]);
+    if (!std::isfinite(difference)) return INFINITY;
     worst = std::max(worst, difference / (1 + std::abs(halves_.values[k])));
   }
   // Richardson: the whole step's error is the difference times 2^p / (2^p − 1).
   const double power = std::pow(2.0, order_);
   return worst * power / (power - 1) / step_s;
+} catch (const Error& error) {
+  if (error.code() != Code::diverged) throw;
+  return INFINITY;
 }
 
 size_t StepSize::steps(const Lanes& state, double time_s, double interval_s, double most_s) {
@@ -53,7 +62,8 @@ size_t StepSize::steps(const Lanes& state, double time_s, double interval_s, dou
   for (int trial = 0; trial < kMostTrials; ++trial) {
     const double rate = error_rate(state, time_s, step_s);
     if (rate <= tolerance_rate_) break;
-    const double factor = kSafety * std::pow(tolerance_rate_ / rate, 1.0 / order_);
+    const double factor =
+        std::isfinite(rate) ? kSafety * std::pow(tolerance_rate_ / rate, 1.0 / order_) : kAfterDivergence;
     step_s = std::max(kShortest_s, step_s * std::min(factor, 0.9));
   }
   last_s_ = step_s;

@@ -9,6 +9,9 @@ namespace animado::controle {
 // A force that changes within a frame should not be stepped over.
 inline constexpr double kLongestStep_s = 1.0 / 60;
 
+// A motion that diverges in a step may do well in one of this part of it.
+inline constexpr double kAfterDivergence = 0.1;
+
 class StepSize {
  public:
   // given_s: a length that the scene fixes. tolerance: error a second, relative to 1 + |y|; chosen here when

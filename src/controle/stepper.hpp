@@ -63,7 +63,6 @@ class Stepper {
   void book(const Reply& reply);  // what contacts did to the energy
   void respond();
   void record(const std::vector<colisao::ImpactRecord>& impacts);
-  void check_finite() const;
 
   const Scene& scene_;
   std::span<const Inertia> inertias_;

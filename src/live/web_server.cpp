@@ -132,7 +132,7 @@ class WebServer::Listener::Page : public std::enable_shared_from_this<Page> {
   }
 
   Listener& listener_;
-  beast::websocket::stream<beast::tcp_stream> socket_;
+  beast::websocket::stream<beast::tcp_stream, false> socket_;  // uncompressed: it does not leave the machine
   beast::flat_buffer buffer_;
   std::deque<Text> waiting_;
 };

@@ -45,6 +45,14 @@ TEST(EndReport, TellsWhatIsUnaccountedForAndWhatThereIsToSee) {
   EXPECT_THAT(report, testing::EndsWith(": report.html, sheet.png\n"));
 }
 
+TEST(EndReport, TellsThatAnEnergyIsNotANumber) {
+  const TemporaryDirectory directory;
+  controle::Summary summary;
+  summary.energy.final_J = std::numeric_limits<double>::infinity();
+  write_summary(directory / "summary.json", summary);
+  EXPECT_THAT(end_report(directory.path()), testing::HasSubstr("energy: more than a number holds\n"));
+}
+
 TEST(EndReport, RefusesADirectoryWithoutSummary) {
   const TemporaryDirectory directory;
   EXPECT_THROW(end_report(directory.path()), Error);

@@ -85,6 +85,23 @@ TEST_P(EqualSteps, EveryKindOfForceActsAsWhatItIs) {
   EXPECT_LT((ball.angular_velocity_rad_s() / time_s - Vec3(6, 7, 0)).norm(), 1e-3);
 }
 
+// A state that cannot be does not become the run's, nor what it would do to the energy.
+TEST_P(EqualSteps, AMotionThatDivergesStaysWhereItWasFiniteAtLast) {
+  for (const auto* push : {"force (1e200, 0, 0)", "torque (1e200, 0, 0)", "force (1e15, 0, 0)"}) {
+    Simulation run = simulation(fmt::format("object ball\n shape sphere(radius=1)\n mass 1\n {}\n", push));
+    try {
+      run.stepper().advance_to(1);
+      FAIL() << push;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Code::diverged) << error.what();
+    }
+    const BodyState ball = body(run, 0);
+    EXPECT_LT(ball.velocity_m_s.norm(), 3e8) << push;
+    EXPECT_LT(ball.angular_velocity_body_rad_s.norm(), 1e24) << push;
+    EXPECT_TRUE(std::isfinite(run.stepper().flows().work_in_J)) << push;
+  }
+}
+
 class Singular : public Steps {};
 
 // From rest at 1 m, 1/r² reaches the origin at π/(2√2) s, with a speed without bound.

@@ -35,6 +35,17 @@ end 10
 step 0.1
 )";
 
+// Out of what a number holds within a step.
+constexpr auto kOverflowing = R"(
+object ball
+shape sphere(radius=1)
+mass 1
+force (1e200, 0, 0)
+time
+end 10
+step 0.1
+)";
+
 constexpr auto kLong = R"(
 object ball
 shape sphere(radius=1)
@@ -93,8 +104,16 @@ TEST_P(BothWays, ThreeWhenTheSceneIsRefusedBeforeAnythingIsMade) {
 TEST_P(BothWays, FourWhenTheMotionDivergesWithTheFramesSoFar) {
   const Outcome outcome = Command(directory_, run_words(kDiverging)).finish();
   EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("error: "));
   EXPECT_THAT(outcome.err, HasSubstr("ball"));
   EXPECT_THAT(text_of(directory_ / "runs/scene/summary.json"), HasSubstr("\"diverged\""));
+}
+
+TEST_P(BothWays, FourAndNumbersInTheSummaryHoweverFarTheMotionDiverges) {
+  const Outcome outcome = Command(directory_, run_words(kOverflowing)).finish();
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("energy: 0 J at the start, 0 J at the end"));
+  EXPECT_THAT(text_of(directory_ / "runs/scene/summary.json"), Not(HasSubstr("null")));
 }
 
 TEST_P(BothWays, HundredAndThirtyWhenInterruptedWithUsableResults) {

@@ -1,0 +1,16 @@
+// Motions that leave what a body can do.
+#pragma once
+
+#include "base/error.hpp"
+#include "controle/scene/scene.hpp"
+
+namespace animado::controle {
+
+// Error diverged, about one body at the time of what was found.
+Error divergence(const Scene& scene, size_t body, double time_s);
+
+// Throws it about the first body of a state (13, N) that is out of the universe, faster than light, or turns
+// faster than a proton could.
+void check_state(const Scene& scene, const double* state, double time_s);
+
+}  // namespace animado::controle
