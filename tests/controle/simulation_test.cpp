@@ -102,6 +102,26 @@ TEST_P(EqualSteps, AMotionThatDivergesStaysWhereItWasFiniteAtLast) {
   }
 }
 
+class Barrier : public Steps {};
+
+// The force log(1 − x) holds back what comes at the edge of where it is a number, and long steps look beyond.
+TEST_P(Barrier, AStepThatLooksBeyondWhatIsFiniteIsMadeShorter) {
+  Simulation run = simulation(
+      "object ball\n shape sphere(radius=1)\n mass 1\n velocity (44, 0, 0)\n force (1000*log(1 - "
+      "position.x), "
+      "0, 0)\n");
+  const double start_J = 44.0 * 44 / 2;
+  for (int frame = 1; frame <= 5; ++frame) run.stepper().advance_to(0.1 * frame);
+  const BodyState ball = body(run, 0);
+  const double left_m = 1 - ball.pose.position_m.x();
+  const double potential_J = 1000 * (left_m * std::log(left_m) - left_m + 1);
+  EXPECT_NEAR(ball.velocity_m_s.squaredNorm() / 2 + potential_J, start_J, 0.03 * start_J);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Barrier,
+                         testing::Values("method rk4\n tolerance 1e-4", "method dop853\n tolerance 1e-2"),
+                         [](const auto& tested) { return tested.index == 0 ? "rk4" : "dop853"; });
+
 class Singular : public Steps {};
 
 // From rest at 1 m, 1/r² reaches the origin at π/(2√2) s, with a speed without bound.
