@@ -15,6 +15,7 @@ const many = (bodies) => (bodies === 1 ? "1 body" : `${count(bodies)} bodies`);
 /** @param {object} summary as in summary.json */
 export function energySentence({ energy, impacts }) {
   const { initial, final, work_in: work, residual } = energy;
+  if (residual === null) return "Its energy is more than a number holds.";  // JSON has no infinity
   const parts = [
     [energy.dissipated_impacts, `in ${plural(impacts, "impact")}`],
     [energy.dissipated_friction, "to friction"],

@@ -32,6 +32,8 @@ test("the energy's story in one sentence; what was only rounded is not told", ()
   assert.equal(energySentence({ energy: { ...energy, dissipated_friction: 2, work_in: 5 }, impacts: 3 }),
     "Lost 26.5 J in 3 impacts and 2 J to friction and took in 5 J by forces, from 200.7 J to 174.2 J; " +
     "the ledger closes to 3e−15 J.");
+  assert.equal(energySentence({ energy: { ...energy, final: null, residual: null }, impacts: 1 }),
+    "Its energy is more than a number holds.");
   assert.equal(energySentence({ energy: { ...energy, final: 200.67, dissipated_impacts: 0 }, impacts: 4 }),
     "Kept its energy, from 200.7 J to 200.7 J; the ledger closes to 3e−15 J.");
 });
