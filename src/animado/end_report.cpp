@@ -24,8 +24,8 @@ double joules_in(const Json& energy, const char* key) {
 std::string energy_text(const Json& energy) {
   const auto joules = [&](const char* key) { return joules_in(energy, key); };
   if (!std::isfinite(joules("residual"))) return "more than a number holds";
-  std::string text = fmt::format("{:.6g} J at the start, {:.6g} J at the end",
-                                 joules("initial"), joules("final"));
+  std::string text =
+      fmt::format("{:.6g} J at the start, {:.6g} J at the end", joules("initial"), joules("final"));
   constexpr std::array<std::pair<const char*, const char*>, 4> kFlows = {
       {{"work_in", "work put in"},
        {"dissipated_impacts", "lost in impacts"},

@@ -173,9 +173,11 @@ ExitCode tell_end(const fred::Integrate::Reply& reply) {
       return failed("the solution is not finite",
                     "look for a division by zero or a root of a negative number");
     case Stop::step_limit:
-      return failed("so many steps were taken that it stopped", "give a larger --tolerance");
+      return failed("so many steps were taken that it stopped",
+                    "give a larger --tolerance; for a stiff system use --method radau5");
     case Stop::time_limit:
-      return failed("it took so long that it stopped", "give a larger --tolerance, or --time-limit");
+      return failed("it took so long that it stopped",
+                    "give a larger --tolerance, or --time-limit; for a stiff system use --method radau5");
     default:
       return kDone;
   }

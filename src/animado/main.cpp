@@ -3,6 +3,7 @@
 #include "console/output.hpp"
 #include "console/program_manual.hpp"
 #include "console/terminal.hpp"
+#include "console/usage_error.hpp"
 
 namespace {
 
@@ -34,7 +35,7 @@ int run(int argc, char** argv) {
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return line.app.exit(error) == 0 ? kDone : kUsage;
+    return exit_of_parse(line.app, error);
   } catch (const Error& error) {
     print_error(error);
     return exit_code_of_call(error.code());

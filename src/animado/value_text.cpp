@@ -1,5 +1,7 @@
 #include "animado/value_text.hpp"
 
+#include "base/number_text.hpp"
+
 namespace animado {
 
 using interexpserv::Type;
@@ -10,11 +12,11 @@ std::string value_text(Type type, std::span<const double> values) {
     case Type::boolean:
       return values[0] != 0 ? "true" : "false";
     case Type::scalar:
-      return fmt::format("{}", values[0]);
+      return number_text(values[0]);
     case Type::vector:
       break;
   }
-  return fmt::format("({}, {}, {})", values[0], values[1], values[2]);
+  return fmt::format("({}, {}, {})", number_text(values[0]), number_text(values[1]), number_text(values[2]));
 }
 
 nlohmann::ordered_json value_json(Type type, std::span<const double> values) {

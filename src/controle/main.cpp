@@ -9,6 +9,7 @@
 #include "console/output.hpp"
 #include "console/program_manual.hpp"
 #include "console/terminal.hpp"
+#include "console/usage_error.hpp"
 #include "controle/pace.hpp"
 #include "controle/results/recorded_run.hpp"
 #include "controle/run.hpp"
@@ -53,7 +54,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return exit_of_parse(app, error);
   }
 
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_asked = 1; });

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/finite.hpp"
+#include "base/number_text.hpp"
 #include "egesp/accuracy.hpp"
 #include "egesp/batch_shape.hpp"
 
@@ -57,7 +58,7 @@ void refuse_infinite(std::span<const double> numbers, const char* where) {
   if (all_finite(numbers)) return;
   const auto found = std::ranges::find_if_not(numbers, [](double v) { return std::isfinite(v); });
   if (found == numbers.end()) return;  // who shares the memory wrote meanwhile
-  throw Error(Code::not_finite, fmt::format("element {} is {}", found - numbers.begin(), *found),
+  throw Error(Code::not_finite, fmt::format("element {} is {}", found - numbers.begin(), number_text(*found)),
               fmt::format("{}[{}]", where, found - numbers.begin()), "send finite numbers only");
 }
 

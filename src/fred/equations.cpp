@@ -40,7 +40,8 @@ std::string checked_name(std::string_view name, const std::string& where) {
   const std::string folded = fold(name);
   if (!is_identifier(folded)) {
     throw Error(Code::syntax, fmt::format("'{}' is not a name", name), where,
-                "a name is letters, digits and _, a letter first");
+                name.ends_with('\'') ? "write an equation of second order as two: x' = v; v' = …"
+                                     : "a name is letters, digits and _, a letter first");
   }
   if (std::ranges::find(kReserved, folded) != std::end(kReserved)) {
     throw Error(Code::conflict, fmt::format("'{}' has a meaning of its own", name), where,

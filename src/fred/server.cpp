@@ -1,5 +1,6 @@
 #include "fred/server.hpp"
 
+#include "base/number_text.hpp"
 #include "fred/methods.hpp"
 #include "fred/protocol.hpp"
 #include "fred/server.messages.hpp"
@@ -42,7 +43,8 @@ Methods::Reply list(const rpc::Nothing&) {
 
 void refuse_infinite(double value, const std::string& where) {
   if (std::isfinite(value)) return;
-  throw Error(Code::not_finite, fmt::format("{} is {}", where, value), where, "send finite numbers only");
+  throw Error(Code::not_finite, fmt::format("{} is {}", where, number_text(value)), where,
+              "send finite numbers only");
 }
 
 Tolerance checked_tolerance(std::vector<double> absolute, std::vector<double> relative, size_t size) {

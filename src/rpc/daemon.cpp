@@ -11,6 +11,7 @@
 #include "console/output.hpp"
 #include "console/program_manual.hpp"
 #include "console/terminal.hpp"
+#include "console/usage_error.hpp"
 #include "rpc/dispatcher.hpp"
 #include "rpc/endpoint.hpp"
 #include "rpc/registration.hpp"
@@ -107,7 +108,7 @@ int run(int argc, char** argv, const DaemonInfo& info, const std::function<void(
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return exit_of_parse(app, error);
   }
   try {
     start(info, std::move(options), table);

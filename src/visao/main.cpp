@@ -2,6 +2,7 @@
 #include "console/output.hpp"
 #include "console/program_manual.hpp"
 #include "console/terminal.hpp"
+#include "console/usage_error.hpp"
 #include "visao/command_line.hpp"
 
 namespace {
@@ -18,7 +19,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kUsage;
+    return exit_of_parse(app, error);
   }
   try {
     return visao::render(options);

@@ -107,6 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
         EquationMistake{"known_function", {"x' = 1", "sin(x) = x"}, {}, {}, Code::conflict, "equations[1]"},
         EquationMistake{"no_equals", {"x' = 1", "y'"}, {}, {}, Code::syntax, "equations[1]"},
         EquationMistake{"no_name", {"2x' = 1"}, {}, {}, Code::syntax, "equations[0]"},
+        EquationMistake{"second_order", {"x'' = -x"}, {}, {}, Code::syntax, "equations[0]"},
         EquationMistake{"reserved", {"t' = 1"}, {}, {}, Code::conflict, "equations[0]"},
         EquationMistake{"unknown_twice", {"x' = 1", "X' = 2"}, {}, {}, Code::conflict, "equations[1]"},
         EquationMistake{"constant_is_unknown", {"x' = 1"}, {{"x", 1}}, {}, Code::conflict, "constants[0]"},

@@ -1,5 +1,6 @@
 #include "controle/scene/check_expressions.hpp"
 
+#include "base/number_text.hpp"
 #include "controle/scene/refusal.hpp"
 #include "controle/scene/scope.hpp"
 
@@ -75,10 +76,10 @@ class Checker {
     Vec3 value;
     program.evaluate(inputs.data(), value.data());
     if (!value.allFinite()) {
-      refuse(
-          scene_.path, expression.place, Code::not_finite,
-          fmt::format("`{}` is ({}, {}, {}) at the start", expression.text, value.x(), value.y(), value.z()),
-          "look for a division by zero or a root of a negative number");
+      refuse(scene_.path, expression.place, Code::not_finite,
+             fmt::format("`{}` is ({}, {}, {}) at the start", expression.text, number_text(value.x()),
+                         number_text(value.y()), number_text(value.z())),
+             "look for a division by zero or a root of a negative number");
     }
     return value;
   }

@@ -1,5 +1,6 @@
 #include "controle/scene/constants.hpp"
 
+#include "base/number_text.hpp"
 #include "controle/mass/mass_properties.hpp"
 #include "controle/scene/refusal.hpp"
 #include "controle/scene/scope.hpp"
@@ -72,7 +73,7 @@ Value Constants::evaluate(const Expression& expression, Type type) const {
   for (size_t i = 0; i < interexpserv::width_of(type); ++i) {
     if (!std::isfinite(value.v[i])) {
       refuse(outline_.path, expression.place, Code::not_finite,
-             fmt::format("`{}` is {}", expression.text, value.v[i]),
+             fmt::format("`{}` is {}", expression.text, number_text(value.v[i])),
              "a finite number is needed: look for a division by zero, a root or a logarithm of a negative "
              "number");
     }
