@@ -19,10 +19,16 @@ double most_in(size_t row) {
 
 }  // namespace
 
-Error divergence(const Scene& scene, size_t body, double time_s) {
-  return {Code::diverged,
-          fmt::format("the motion of `{}` diverged at t = {:.9g} s", scene.bodies[body].name, time_s),
-          scene.path,
+Error divergence(const Scene& scene, size_t index, double time_s) {
+  const Body& body = scene.bodies[index];
+  const auto what = [&](const char* of) {
+    return fmt::format("the {} of `{}` diverged at t = {:.9g} s", of, body.name, time_s);
+  };
+  if (const auto& path = body.path_position ? body.path_position : body.path_rotation) {
+    return {Code::diverged, what("path"), scene.where(path->place),
+            "Look for a division by zero, or a root or a logarithm of a negative number."};
+  }
+  return {Code::diverged, what("motion"), scene.path,
           "A force that grows with the motion it makes, or a step too long for a stiff spring: look at the "
           "object's force and torque, or give `world` a smaller `substep`."};
 }

@@ -6,8 +6,8 @@
 
 namespace animado::controle {
 
-// Error diverged, about one body at the time of what was found.
-Error divergence(const Scene& scene, size_t body, double time_s);
+// Error diverged, about the body of this index, at the time of what was found.
+Error divergence(const Scene& scene, size_t index, double time_s);
 
 // Throws it about the first body of a state (13, N) that is out of the universe, faster than light, or turns
 // faster than a proton could.

@@ -102,6 +102,19 @@ TEST_P(EqualSteps, AMotionThatDivergesStaysWhereItWasFiniteAtLast) {
   }
 }
 
+TEST_P(EqualSteps, APathThatIsNotFiniteIsRefusedAtItsPlace) {
+  Simulation run =
+      simulation("object ball\n shape sphere(radius=1)\n motion path\n path position (1/(t-0.2), 0, 0)\n");
+  try {
+    run.stepper().advance_to(0.3);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Code::diverged);
+    EXPECT_THAT(error.what(), testing::HasSubstr("the path of `ball` diverged at t = 0.2 s"));
+    EXPECT_THAT(error.where(), testing::HasSubstr(":7:"));
+  }
+}
+
 class Barrier : public Steps {};
 
 // The force log(1 − x) holds back what comes at the edge of where it is a number, and long steps look beyond.
