@@ -3,7 +3,6 @@
 #include <iterator>
 
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 
 namespace animado {
 

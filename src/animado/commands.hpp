@@ -8,6 +8,7 @@
 
 #include "animado/completion_values.hpp"
 #include "animado/exit_code.hpp"
+#include "animado/running_suite.hpp"
 
 namespace animado {
 
@@ -20,6 +21,8 @@ struct CommandLine {
 // A subcommand whose --help opens with examples of its use.
 CLI::App& add_command(CommandLine& line, const std::string& name, const std::string& description,
                       const std::string& examples);
+
+void add_suite_choice(CLI::App& command, SuiteChoice& choice);  // --run, --socket-dir
 
 void add_run_command(CommandLine& line);
 void add_report_command(CommandLine& line);

@@ -1,6 +1,5 @@
 // animado eval: the value of an expression, with the names of the suite that runs, if one does.
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "animado/value_text.hpp"
 #include "interexpserv/client.hpp"
 #include "interexpserv/program.hpp"

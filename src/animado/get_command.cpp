@@ -1,6 +1,5 @@
 // animado get: what names stand for now.
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "animado/value_text.hpp"
 #include "interexpserv/client.hpp"
 

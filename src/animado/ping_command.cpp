@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "rpc/common.hpp"
 
 namespace animado {

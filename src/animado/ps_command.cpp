@@ -1,6 +1,5 @@
 // animado ps: the services of a suite, and what they have done since they started.
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "animado/service_load.hpp"
 
 namespace animado {

@@ -3,7 +3,6 @@
 
 #include "animado/commands.hpp"
 #include "animado/names_file.hpp"
-#include "animado/running_suite.hpp"
 #include "base/error.hpp"
 #include "console/terminal.hpp"
 #include "interexpserv/client.hpp"

@@ -1,7 +1,5 @@
 #include "animado/running_suite.hpp"
 
-#include "animado/completion_values.hpp"
-
 #include "base/error.hpp"
 #include "rpc/endpoint.hpp"
 
@@ -61,12 +59,6 @@ SocketDirectory::SocketDirectory(const std::string& run)
 SocketDirectory::~SocketDirectory() {
   std::error_code ignored;  // what is left is cleared away by the next run of the same name
   if (made_here_) fs::remove_all(path_, ignored);
-}
-
-void add_suite_choice(CLI::App& command, SuiteChoice& choice) {
-  command.add_option("--run", choice.run, "Name of the run (default: the one that started last)");
-  command.add_option("--socket-dir", choice.socket_dir, "Directory of the run's sockets")
-      ->type_name(kFolderType);
 }
 
 std::unique_ptr<rpc::SocketSuite> find_suite(const SuiteChoice& choice) {

@@ -1,7 +1,6 @@
 // The suites that run on this machine, by the directories of their sockets.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -29,7 +28,6 @@ class SocketDirectory {
 struct SuiteChoice {
   std::string run, socket_dir;
 };
-void add_suite_choice(CLI::App& command, SuiteChoice& choice);  // --run, --socket-dir
 
 // The chosen suite, the one that was started last when none is chosen. Throws Error(unavailable) when there
 // is none.

@@ -1,6 +1,5 @@
 // animado set: defines names by expressions, while a run is going.
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "interexpserv/client.hpp"
 
 namespace animado {

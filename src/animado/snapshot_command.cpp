@@ -1,7 +1,6 @@
 // animado snapshot: all definitions at one instant, as text.
 #include "animado/commands.hpp"
 #include "animado/names_file.hpp"
-#include "animado/running_suite.hpp"
 #include "controle/results/output_file.hpp"
 #include "interexpserv/client.hpp"
 

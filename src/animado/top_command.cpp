@@ -2,7 +2,6 @@
 #include <poll.h>
 
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "animado/screen.hpp"
 #include "animado/service_load.hpp"
 

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "animado/commands.hpp"
-#include "animado/running_suite.hpp"
 #include "animado/value_text.hpp"
 #include "base/error.hpp"
 #include "console/terminal.hpp"
