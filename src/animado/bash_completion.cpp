@@ -5,6 +5,7 @@
 
 #include "animado/completion.hpp"
 #include "animado/completion_values.hpp"
+#include "console/option_table.hpp"
 
 namespace animado {
 
@@ -95,9 +96,8 @@ std::string branch(const std::string& command, const CLI::App& app, const Words&
 }  // namespace
 
 std::string bash_completion(const CLI::App& program) {
-  Words commands;
-  for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
-  std::string text = kBashHead + branch("''", program, {quoted(kind_text({ValueKind::words, commands}))});
+  std::string text =
+      kBashHead + branch("''", program, {quoted(kind_text({ValueKind::words, commands_of(program)}))});
   for (const CLI::App* command : program.get_subcommands({})) {
     Words positionals;
     for (const CLI::Option* option : positionals_of(*command))

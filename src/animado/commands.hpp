@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "animado/completion_values.hpp"
 #include "animado/exit_code.hpp"
 #include "animado/running_suite.hpp"
+#include "console/option_types.hpp"
 
 namespace animado {
 

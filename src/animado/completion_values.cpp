@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "console/option_types.hpp"
+
 namespace animado {
 
 Values values_of(const CLI::Option& option) {
@@ -14,25 +16,6 @@ Values values_of(const CLI::Option& option) {
   if (is(kFolderType)) return {ValueKind::folders};
   if (is(kFileType)) return {ValueKind::files};
   return {};
-}
-
-std::vector<const CLI::Option*> positionals_of(const CLI::App& command) {
-  return command.get_options([](const CLI::Option* option) { return option->get_positional(); });
-}
-
-std::vector<const CLI::Option*> options_of(const CLI::App& command) {
-  return command.get_options([](const CLI::Option* option) { return option->nonpositional(); });
-}
-
-std::vector<std::string> names_of(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
-  return names;
-}
-
-bool takes_value(const CLI::Option& option) {
-  return option.get_items_expected_max() > 0;
 }
 
 }  // namespace animado

@@ -5,6 +5,7 @@
 
 #include "animado/completion.hpp"
 #include "animado/completion_values.hpp"
+#include "console/option_table.hpp"
 
 namespace animado {
 

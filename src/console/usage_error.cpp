@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/nearest_name.hpp"
+#include "console/option_table.hpp"
 #include "console/terminal.hpp"
 
 namespace animado {
@@ -18,23 +19,16 @@ std::string full_name(const CLI::App& app) {
   return parent ? full_name(*parent) + ' ' + app.get_name() : app.get_name();
 }
 
-std::vector<std::string> options_of(const CLI::App& app) {
+std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-std::vector<std::string> commands_of(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  for (const CLI::Option* option : options_of(app))
+    std::ranges::move(names_of(*option), std::back_inserter(names));
   return names;
 }
 
 Error unexpected(const CLI::App& app, const std::string& word) {
   const bool is_option = word.starts_with('-');
-  const auto commands = commands_of(app), known = is_option ? options_of(app) : commands;
+  const auto commands = commands_of(app), known = is_option ? option_names(app) : commands;
   const std::string meant = nearest_name(word, known);
   const std::string what = is_option          ? fmt::format("there is no option `{}`", word)
                            : commands.empty() ? fmt::format("`{}` is a word too many", word)
