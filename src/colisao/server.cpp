@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/finite.hpp"
+#include "base/number_text.hpp"
 #include "colisao/impulse.hpp"
 #include "colisao/response_tolerances.hpp"
 #include "colisao/server.records.hpp"
@@ -69,8 +70,9 @@ std::span<const double> read(rpc::Call& call, const Array& array, int64_t rows, 
     const auto bad = std::ranges::find_if_not(values, [](double x) { return std::isfinite(x); });
     if (bad == values.end()) return values;  // who shares the memory wrote meanwhile
     const auto at = bad - values.begin();
-    throw Error(Code::not_finite, fmt::format("{} in row {}, body {}", *bad, at / shape[1], at % shape[1]),
-                field, "the motion has diverged, or the array was not filled");
+    throw Error(Code::not_finite,
+                fmt::format("{} in row {}, body {}", number_text(*bad), at / shape[1], at % shape[1]), field,
+                "the motion has diverged, or the array was not filled");
   }
   return values;
 }

@@ -8,9 +8,9 @@
 namespace animado::controle {
 namespace {
 
-constexpr double kUniverse_m = 1e27;
+constexpr double kUniverse_m = 1e27;  // what can be seen of it is as wide
 constexpr double kSpeedOfLight_m_s = 299792458;
-constexpr double kFastestTurn_rad_s = 3e23;
+constexpr double kFastestTurn_rad_s = 3e23;  // where the rim of a proton, 1e-15 m, has the speed of light
 
 double most_in(size_t row) {
   if (row >= kWx) return kFastestTurn_rad_s;

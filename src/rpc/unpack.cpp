@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest_name.hpp"
+#include "base/number_text.hpp"
 #include "rpc/codec.hpp"
 #include "rpc/decoder.hpp"
 
@@ -42,7 +43,7 @@ struct Path {
 
 void check_finite(double value, const Path& path, const Decoder& in) {
   if (!in.finite_only() || std::isfinite(value)) return;
-  throw Error(Code::not_finite, fmt::format("{} is not a finite number", value), path.text(),
+  throw Error(Code::not_finite, number_text(value) + " is not a finite number", path.text(),
               "send finite numbers only");
 }
 

@@ -1,6 +1,7 @@
 // src/fred/equations.cpp: systems written as expressions, and what is said about those that make no sense.
 #include "fred/equations.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -128,6 +129,15 @@ TEST_P(RefusedEquations, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(error.code(), GetParam().code) << error.message();
     EXPECT_NE(error.where().find(GetParam().where), std::string::npos) << error.where();
     EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+TEST(RefusedEquation, OfSecondOrderIsToldHowItBecomesTwo) {
+  try {
+    Equations({"x'' = -x"}, {});
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.remedy(), testing::HasSubstr("x' = v; v' = "));
   }
 }
 

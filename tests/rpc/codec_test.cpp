@@ -161,10 +161,11 @@ TEST(Codec, ImpossibleShapesAreRefused) {
 
 TEST(Codec, NotANumberIsRefusedInRequestsAndNamed) {
   Echo::Request request = full_request();
-  request.array.values[2] = kNaN;
+  request.array.values[2] = std::copysign(kNaN, -1.0);  // as x86 divides 0 by 0
   const Error in_array = error_of([&] { decoded(packed(request)); });
   EXPECT_EQ(in_array.code(), Code::not_finite);
   EXPECT_EQ(in_array.where(), "echo.array.data[2]");
+  EXPECT_EQ(in_array.message(), "nan is not a finite number");
   EXPECT_TRUE(std::isnan(decoded(packed(request), Numbers::any).array.values[2])) << "a reply may say so";
   request = full_request();
   request.maybe = std::numeric_limits<double>::infinity();
