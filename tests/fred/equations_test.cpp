@@ -134,7 +134,7 @@ TEST_P(RefusedEquations, SayWhatIsWrongAndWhere) {
 
 TEST(RefusedEquation, OfSecondOrderIsToldHowItBecomesTwo) {
   try {
-    Equations({"x'' = -x"}, {});
+    Equations(Texts{"x'' = -x"}, {});
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_THAT(error.remedy(), testing::HasSubstr("x' = v; v' = "));
