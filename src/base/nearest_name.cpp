@@ -27,7 +27,7 @@ size_t distance(std::string_view a, std::string_view b) {
 
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
   std::string best;
-  size_t best_distance = word.size() / 3 + 2;
+  size_t best_distance = word.size() < 2 ? 0 : std::max<size_t>(word.size() / 3, 1) + 1;
   for (const std::string& candidate : candidates) {
     const size_t d = distance(word, candidate);
     if (d < best_distance) {

@@ -8,7 +8,8 @@
 namespace animado {
 
 // The candidate with the smallest Damerau–Levenshtein (optimal string alignment) distance to `word`, if that
-// is at most a third of the word's length plus one; else empty. The first of equals.
+// is at most a third of the word's length, or 1 in words of two or more letters; else empty. The first of
+// equals.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace animado

@@ -18,9 +18,9 @@ TEST(NearestName, OneSlipOfEachKind) {
 }
 
 TEST(NearestName, AnExchangeIsOneSlip) {
-  // "form" is allowed a distance of 2: "from" needs one exchange, which beats the two changes of "fold".
-  const std::vector<std::string> names = {"fold", "from"};
-  EXPECT_EQ(nearest_name("form", names), "from");
+  // "formal" is allowed a distance of 2: "fromal" needs one exchange, which beats the two changes of "foldal".
+  const std::vector<std::string> names = {"foldal", "fromal"};
+  EXPECT_EQ(nearest_name("formal", names), "fromal");
 }
 
 TEST(NearestName, NothingWhenNothingIsNear) {
@@ -30,8 +30,16 @@ TEST(NearestName, NothingWhenNothingIsNear) {
 
 TEST(NearestName, TheLimitGrowsWithTheWord) {
   const std::vector<std::string> names = {"abcdef"};
-  EXPECT_EQ(nearest_name("xyzdef", names), "abcdef");  // 3 = 6/3 + 1
-  EXPECT_EQ(nearest_name("xyzwef", names), "");        // 4
+  EXPECT_EQ(nearest_name("xycdef", names), "abcdef");  // 2 = 6/3
+  EXPECT_EQ(nearest_name("xyzdef", names), "");        // 3
+}
+
+TEST(NearestName, InAShortWordOneSlip) {
+  const std::vector<std::string> names = {"log", "x"};
+  EXPECT_EQ(nearest_name("lgo", names), "log");
+  EXPECT_EQ(nearest_name("bogus", names), "");
+  EXPECT_EQ(nearest_name("xx", names), "x");
+  EXPECT_EQ(nearest_name("y", names), "") << "one letter in place of another is nothing alike";
 }
 
 TEST(NearestName, TheFirstOfEquals) {
