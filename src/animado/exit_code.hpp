@@ -8,6 +8,7 @@ namespace animado {
 
 enum ExitCode : int {
   kDone = 0,
+  kDiffers = 1,         // done, but a replay that is not the same as what it replays
   kUsage = 2,           // the command line makes no sense, or a service refused what it was asked
   kRefused = 3,         // the scene cannot be read, or is physical nonsense
   kDiverged = 4,        // the motion left the finite

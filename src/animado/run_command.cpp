@@ -31,8 +31,8 @@ constexpr auto kRunExamples =
     "  animado run scenes/colisao.animado --json         the summary as JSON on stdout\n"
     "  animado run scenes/spring.animado --live          a page to watch it, pause it and edit its names\n"
     "  animado run --replay runs/spring                  the same once more, with the edits it took\n\n"
-    "Exit codes: 0 done, 2 usage, 3 scene refused, 4 the motion diverged, 5 a service was lost, 130 "
-    "interrupted.\n";
+    "Exit codes: 0 done, 1 a replay that is not the same, 2 usage, 3 scene refused, 4 the motion diverged, 5 "
+    "a service was lost, 130 interrupted.\n";
 
 struct RunOptions {
   std::string scene, out, name, replay_of;
@@ -43,21 +43,23 @@ struct RunOptions {
 };
 
 // A run that ended, even early, leaves whole results; one that was lost leaves what it had, to be read.
-void finish(const RunOptions& options, controle::ResultsDirectory& results, ExitCode code) {
-  if (code != kLost && fs::exists(results.path() / "summary.json")) {
-    if (!options.no_pictures) {
-      const bool film = options.mp4 && code == kDone;
-      make_pictures(results.path(), results.final_path(), {.film = film, .quiet = options.quiet});
-      add_report(results.path(), results.final_path());
-    }
-    results.commit();
-    std::string report = end_report(results.final_path());
-    if (options.replay) report += replay_report(*options.replay, results.final_path());
-    if (!options.quiet) print_text(report);
-    if (options.json) std::cout << std::ifstream(results.final_path() / "summary.json").rdbuf() << std::flush;
-  } else {
+// Returns the code to exit with.
+ExitCode finish(const RunOptions& options, controle::ResultsDirectory& results, ExitCode code) {
+  if (code == kLost || !fs::exists(results.path() / "summary.json")) {
     print_note("no results; the logs are in " + fs::proximate(results.logs()).string());
+    return code;
   }
+  if (!options.no_pictures) {
+    const bool film = options.mp4 && code == kDone;
+    make_pictures(results.path(), results.final_path(), {.film = film, .quiet = options.quiet});
+    add_report(results.path(), results.final_path());
+  }
+  ReplayOutcome replayed = {.same = true, .text = {}};
+  if (options.replay) replayed = outcome_of(*options.replay, results.path());  // which these may replace
+  results.commit();
+  if (!options.quiet) print_text(end_report(results.final_path()) + replayed.text);
+  if (options.json) std::cout << std::ifstream(results.final_path() / "summary.json").rdbuf() << std::flush;
+  return code == kDone && !replayed.same ? kDiffers : code;
 }
 
 ExitCode run_into(const RunOptions& options, controle::ResultsDirectory& results) {
@@ -75,8 +77,7 @@ ExitCode run_into(const RunOptions& options, controle::ResultsDirectory& results
   if (options.in_process) {
     const ExitCode code = run_in_process(request);
     progress.clear();
-    finish(options, results, code);
-    return code;
+    return finish(options, results, code);
   }
   std::unique_ptr<live::Watch> watch;
   if (options.live) {
@@ -84,11 +85,13 @@ ExitCode run_into(const RunOptions& options, controle::ResultsDirectory& results
     request.pace_fd = watch->pace_fd();
     request.on_ended = [&] { end_watch(*watch, results.path()); };
   }
-  return run_with_services(request, [&](ExitCode code) {
+  ExitCode finished = kDone;
+  const ExitCode code = run_with_services(request, [&](ExitCode ended) {
     progress.clear();
-    finish(options, results, code);
+    finished = finish(options, results, ended);
     return fs::exists(results.logs()) ? results.logs() : results.final_path() / "logs";
   });
+  return code == kDone ? finished : code;
 }
 
 ExitCode run(RunOptions options) {

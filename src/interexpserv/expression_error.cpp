@@ -49,7 +49,7 @@ std::string with_caret(std::string_view text, size_t column) {
 ExpressionError::ExpressionError(Code code, std::string_view what_is_wrong, std::string_view text,
                                  size_t column, std::string_view where, std::string remedy)
     : Error(code, std::string(what_is_wrong) + "\n" + with_caret(text, column), std::string(where),
-            std::move(remedy)),
+            remedy.empty() ? "docs/expressions.md lists what can be written" : std::move(remedy)),
       column_(column),
       what_is_wrong_(what_is_wrong) {}
 

@@ -11,7 +11,7 @@ namespace animado::interexpserv {
 class ExpressionError : public Error {
  public:
   // column: 0-based code point of `text`. The message becomes three lines: what is wrong, the text, the
-  // caret.
+  // caret. Without a remedy it names the page of the language.
   ExpressionError(Code code, std::string_view what_is_wrong, std::string_view text, size_t column,
                   std::string_view where, std::string remedy);
 

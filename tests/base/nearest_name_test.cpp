@@ -18,7 +18,8 @@ TEST(NearestName, OneSlipOfEachKind) {
 }
 
 TEST(NearestName, AnExchangeIsOneSlip) {
-  // "formal" is allowed a distance of 2: "fromal" needs one exchange, which beats the two changes of "foldal".
+  // "formal" is allowed a distance of 2: "fromal" needs one exchange, which beats the two changes of
+  // "foldal".
   const std::vector<std::string> names = {"foldal", "fromal"};
   EXPECT_EQ(nearest_name("formal", names), "fromal");
 }

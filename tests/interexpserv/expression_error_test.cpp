@@ -13,6 +13,12 @@ TEST(ExpressionError, CaretCountsCodePoints) {
   EXPECT_EQ(error.what_is_wrong(), "no");
 }
 
+TEST(ExpressionError, NeverWithoutARemedy) {
+  EXPECT_EQ(ExpressionError(Code::syntax, "no", "?", 0, "", "do").remedy(), "do");
+  EXPECT_EQ(ExpressionError(Code::syntax, "no", "?", 0, "", "").remedy(),
+            "docs/expressions.md lists what can be written");
+}
+
 TEST(ExpressionError, LineBreaksDoNotMoveTheCaret) {
   const ExpressionError error(Code::syntax, "no", "1 +\n\t?", 5, "", "");
   EXPECT_EQ(error.message(), "no\n  1 +  ?\n       ^");

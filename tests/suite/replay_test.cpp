@@ -1,5 +1,6 @@
 // A run that was edited while it went, made again from its results: the same edits at the same frames, to the
 // same bits.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "command.hpp"
@@ -67,6 +68,31 @@ TEST_F(Replays, MakeTheSameEditsToTheSameBits) {
   // Without the edits it is another motion.
   EXPECT_EQ(finish({"run", "first/scene.animado", "--no-pictures", "--out", "unedited"}).code, 0);
   EXPECT_NE(summary("unedited")["state_hash"], summary("first")["state_hash"]);
+}
+
+TEST_F(Replays, ThatAreNotTheSameSayWhereAndExitWith1) {
+  ASSERT_EQ(finish({"run", "scene.animado", "--no-pictures", "--out", "first"}).code, 0);
+  std::string states = text_of(directory_ / "first" / "states.csv");
+  states.replace(states.find("\n3,"), 3, "\n3, ");
+  write_text(directory_ / "first" / "states.csv", states);
+  const Outcome again = finish({"run", "--replay", "first", "--no-pictures"});
+  EXPECT_EQ(again.code, 1);
+  EXPECT_THAT(again.err, testing::HasSubstr("NOT the same as first from here on: frame 3, t = 0.3"));
+  EXPECT_THAT(again.err, testing::HasSubstr("`ball`"));
+  EXPECT_EQ(finish({"run", "--replay", "first", "--no-pictures", "--in-process", "--quiet"}).code, 1);
+}
+
+TEST_F(Replays, OfARunThatWasInterruptedGoOnToTheSameBits) {
+  ASSERT_EQ(finish({"run", "scene.animado", "--no-pictures", "--out", "first"}).code, 0);
+  const std::string states = text_of(directory_ / "first" / "states.csv");
+  auto interrupted = summary("first");
+  interrupted["status"] = "interrupted";
+  interrupted["state_hash"] = "that of frame 3";
+  write_text(directory_ / "first" / "summary.json", interrupted.dump());
+  write_text(directory_ / "first" / "states.csv", states.substr(0, states.find("\n4,") + 1));
+  const Outcome again = finish({"run", "--replay", "first", "--no-pictures"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.err, testing::HasSubstr("the same as first, to the last bit, as far as both went"));
 }
 
 TEST_F(Replays, AFolderWithoutResultsIsToldApart) {

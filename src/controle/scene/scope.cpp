@@ -27,8 +27,7 @@ constexpr std::string_view kTurned =
 [[noreturn]] void refuse_at(std::string_view path, const Expression& expression, size_t column,
                             const Error& error) {
   const Place place = {expression.place.line, expression.place.column + static_cast<int>(column)};
-  refuse(path, place, error.code(), error.message(),
-         error.remedy().empty() ? "docs/expressions.md lists what can be written" : error.remedy());
+  refuse(path, place, error.code(), error.message(), error.remedy());
 }
 
 }  // namespace
