@@ -4,13 +4,10 @@
 
 #include "base/finite.hpp"
 #include "base/state.hpp"
+#include "controle/scene/limits.hpp"
 
 namespace animado::controle {
 namespace {
-
-constexpr double kUniverse_m = 1e27;  // what can be seen of it is as wide
-constexpr double kSpeedOfLight_m_s = 299792458;
-constexpr double kFastestTurn_rad_s = 3e23;  // where the rim of a proton, 1e-15 m, has the speed of light
 
 double most_in(size_t row) {
   if (row >= kWx) return kFastestTurn_rad_s;

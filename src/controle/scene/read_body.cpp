@@ -2,6 +2,7 @@
 
 #include "base/fold.hpp"
 #include "controle/scene/colors.hpp"
+#include "controle/scene/limits.hpp"
 #include "controle/scene/refusal.hpp"
 #include "controle/scene/text_file.hpp"
 
@@ -48,18 +49,28 @@ class BodyReader {
   }
 
   void read_start() {
-    if (const Entry* entry = find("position")) body_.position_m = constants_.vector(entry->value);
+    if (const Entry* entry = find("position")) body_.position_m = vector_within(*entry, kUniverse_m, "m");
     if (const Entry* entry = find("rotation order")) body_.rotation_order = order_of(entry->value);
     if (const Entry* entry = find("rotation")) body_.euler_rad = constants_.vector(entry->value);
     body_.orientation = orientation_of(body_.euler_rad, body_.rotation_order);
-    body_.velocity_m_s = start_velocity("velocity");
-    body_.angular_velocity_rad_s = start_velocity("angular velocity");
+    body_.velocity_m_s = start_velocity("velocity", kSpeedOfLight_m_s, "m/s");
+    body_.angular_velocity_rad_s = start_velocity("angular velocity", kFastestTurn_rad_s, "rad/s");
   }
 
-  Vec3 start_velocity(std::string_view canonical) const {
+  Vec3 vector_within(const Entry& entry, double most, std::string_view unit) const {
+    const Vec3 value = constants_.vector(entry.value);
+    const double largest = value.lpNorm<Eigen::Infinity>();
+    if (largest > most) {
+      fail(entry.value.place, Code::refused, fmt::format("{:.9g} {} is more than can be", largest, unit),
+           fmt::format("the most is {:.9g} {}: look at the units", most, unit));
+    }
+    return value;
+  }
+
+  Vec3 start_velocity(std::string_view canonical, double most, std::string_view unit) const {
     const Entry* entry = find(canonical);
     if (!entry) return Vec3::Zero();
-    const Vec3 value = constants_.vector(entry->value);
+    const Vec3 value = vector_within(*entry, most, unit);
     if (body_.motion != Motion::dynamic && !value.isZero(0)) {
       fail(entry->place, Code::refused,
            fmt::format("`{}` is not dynamic and takes no {}", body_.name, canonical),

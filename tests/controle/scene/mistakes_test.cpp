@@ -170,6 +170,12 @@ const std::vector<Mistake> kMistakes = {
      "1:8", "plane without end", "motion static"},
 
     // surface, motion, look
+    {"FasterThanLight", ball(" velocity (0, -3e8 m/s, 0)"), Code::refused, "3:11",
+     "300000000 m/s is more than can be", "the most is 299792458 m/s"},
+    {"OutOfTheUniverse", ball(" position (0, 0, 2e27)"), Code::refused, "3:11", "2e+27 m is more than can be",
+     "the most is 1e+27 m"},
+    {"FasterThanAnythingTurns", ball(" angular velocity (1e24, 0, 0)"), Code::refused, "3:19",
+     "1e+24 rad/s is more than can be", "look at the units"},
     {"RestitutionAboveOne", ball(" restitution 1.5"), Code::refused, "3:14", "a restitution of 1.5",
      "between 0"},
     {"RestitutionBelowZero", ball(" coeficiente de elasticidade -0.1"), Code::refused, "3:30", "-0.1",
