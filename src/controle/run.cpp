@@ -126,7 +126,7 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   };
   try {
     for (size_t frame = 0; frame < times.size(); ++frame) {
-      if (frame > 0) stepper.advance_to(times[frame]);
+      if (frame > 0 && !stepper.advance_to(times[frame], options.stop)) break;
       const double length_s = frame > 0 ? times[frame] - times[frame - 1] : 0;
       facts = facts_at(times[frame], length_s, facts.steps, summary.energy.initial_J, simulation);
       results.frame(facts, {stepper.state(), kStateRows * scene.bodies.size()});
@@ -136,16 +136,13 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
                         count(scene.bodies.size()), facts.steps, facts.impacts, facts.contacts});
       options.pace(times[frame]);
       names.take_edits();
-      if (options.stop()) {
-        finish(RunStatus::interrupted);
-        return summary;
-      }
+      if (options.stop()) break;
     }
   } catch (const Error& error) {
     finish(error.code() == Code::diverged ? RunStatus::diverged : RunStatus::interrupted);
     throw;
   }
-  finish(RunStatus::done);
+  finish(options.stop() ? RunStatus::interrupted : RunStatus::done);
   return summary;
 }
 

@@ -21,7 +21,7 @@ struct RunOptions {
   OnProgress progress = [](const Progress&) {};
   std::function<void(double time_s)> pace = [](double) {};  // asked at every frame: returns when it may go on
   std::vector<Event> edits = {};                            // to be made again, of an earlier run's events
-  std::function<bool()> stop = [] { return false; };        // asked at every frame: Ctrl-C
+  std::function<bool()> stop = [] { return false; };        // asked at every step: Ctrl-C
 };
 
 std::vector<ResultBody> result_bodies(const Scene& scene);

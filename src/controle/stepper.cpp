@@ -54,22 +54,23 @@ Stepper::Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMoti
   motion_.place_kinematic(now_, time_s_);
 }
 
-void Stepper::advance_to(double end_s) {
+bool Stepper::advance_to(double end_s, const Stop& stop) {
   if (near_) respond();
-  while (time_s_ < end_s) {
+  while (time_s_ < end_s && !stop()) {
     const double rest_s = end_s - time_s_;
     const double most_s = in_contact_ ? kContactStep_s : rest_s;
     if (step_size_) {
-      equal_steps(end_s, step_size_->steps(now_, time_s_, rest_s, most_s));
+      equal_steps(end_s, step_size_->steps(now_, time_s_, rest_s, most_s), stop);
     } else {
       const double step_s = embedded_steps_->proposed_s(rest_s, most_s);
       step(step_s < rest_s ? time_s_ + step_s : end_s);
     }
   }
+  return time_s_ >= end_s;
 }
 
 // An impact may change how fast things turn, so the steps are chosen again after each one.
-void Stepper::equal_steps(double end_s, size_t steps) {
+void Stepper::equal_steps(double end_s, size_t steps, const Stop& stop) {
   const double rest_s = end_s - time_s_;
   const int64_t impacts = counts_.impacts;
   const bool was_in_contact = in_contact_;
@@ -79,7 +80,7 @@ void Stepper::equal_steps(double end_s, size_t steps) {
         k + 1 == steps ? end_s
                        : end_s - rest_s * static_cast<double>(steps - 1 - k) / static_cast<double>(steps);
     step(to_s);
-    if (counts_.impacts != impacts || in_contact_ != was_in_contact) break;
+    if (counts_.impacts != impacts || in_contact_ != was_in_contact || stop()) break;
   }
 }
 

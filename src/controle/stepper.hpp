@@ -7,6 +7,7 @@
 // colisao takes the impacts inside the islands too.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "base/state.hpp"
@@ -29,12 +30,15 @@ struct Counts {
 class Stepper {
  public:
   using Report = ContactEvents::Report;
+  using Stop = std::function<bool()>;
 
   Stepper(const Scene& scene, std::span<const Inertia> inertias, FreeMotion& motion, const Forces& forces,
           colisao::Client& colisao, Meter& meter, Report report);
 
-  // Moves the state to the next frame.
-  void advance_to(double end_s);
+  // Moves the state to the next frame. `stop` is asked before every step, since a frame may take any number
+  // of them; false where it ended the way there.
+  bool advance_to(
+      double end_s, const Stop& stop = [] { return false; });
 
   // The forces have changed, so that what they were at the end of the last step is not what they are now.
   void forget_rates();
@@ -50,7 +54,7 @@ class Stepper {
 
  private:
   bool touches() const { return near_ && collides_; }
-  void equal_steps(double end_s, size_t steps);
+  void equal_steps(double end_s, size_t steps, const Stop& stop);
   void step(double end_s);
   void go_through_events(double end_s);
   double move(double step_s, bool crowded);

@@ -27,6 +27,16 @@ class Steps : public testing::TestWithParam<const char*> {
   int runs_ = 0;
 };
 
+TEST_P(Steps, StopWithinAFrame) {
+  Simulation run =
+      simulation("object ball\n shape sphere(radius=1)\n mass 2\n velocity (1, 0, 0)\n linear damping 1e5\n");
+  int asked = 0;
+  EXPECT_FALSE(run.stepper().advance_to(1, [&] { return ++asked > 3; }));
+  EXPECT_GT(run.stepper().time_s(), 0);
+  EXPECT_LT(run.stepper().time_s(), 1e-2);
+  EXPECT_LE(run.stepper().counts().steps, 3);
+}
+
 // What the old force was at the end of the last step is not where the next one starts.
 TEST_P(Steps, AnEditedForceActsFromItsFrameOn) {
   Simulation run = simulation("object ball\n shape sphere(radius=1)\n mass 2\n force (20, 0, 0)\n");

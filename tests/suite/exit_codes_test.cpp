@@ -57,6 +57,20 @@ end 100000
 step 0.1
 )";
 
+// So stiff that its first frame takes 10⁸ steps and more.
+constexpr auto kEndlessFrame = R"(
+world
+method dopri5
+object ball
+shape sphere(radius=1)
+mass 1
+velocity (1, 0, 0)
+linear damping 1e9
+time
+end 1
+step 1
+)";
+
 class ExitCodes : public testing::Test {
  protected:
   std::string scene(const std::string& text) { return write_text(directory_ / "scene.animado", text); }
@@ -73,6 +87,19 @@ class BothWays : public ExitCodes, public testing::WithParamInterface<bool> {
     if (GetParam()) words.push_back("--in-process");
     words.insert(words.end(), more.begin(), more.end());
     return words;
+  }
+  // Ctrl-C as soon as there are steps.
+  Outcome interrupted(const std::string& scene_text) {
+    Command command(directory_, run_words(scene_text));
+    const fs::path partial = directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());
+    const auto under_way = [&] {
+      return text_of(partial / "logs/fred.log").find(" stage ") != std::string::npos;
+    };
+    EXPECT_TRUE(wait_until(under_way, [&] { return !command.running(); })) << command.err();
+    command.signal(SIGINT);
+    const Outcome outcome = command.finish();
+    EXPECT_FALSE(fs::exists(partial));
+    return outcome;
   }
 };
 INSTANTIATE_TEST_SUITE_P(Run, BothWays, testing::Bool(),
@@ -117,20 +144,19 @@ TEST_P(BothWays, FourAndNumbersInTheSummaryHoweverFarTheMotionDiverges) {
 }
 
 TEST_P(BothWays, HundredAndThirtyWhenInterruptedWithUsableResults) {
-  Command command(directory_, run_words(kLong));
-  const fs::path partial = directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());
-  const auto under_way = [&] {
-    return text_of(partial / "logs/fred.log").find(" stage ") != std::string::npos;
-  };
-  ASSERT_TRUE(wait_until(under_way, [&] { return !command.running(); })) << command.err();
-  command.signal(SIGINT);
-  const Outcome outcome = command.finish();
+  const Outcome outcome = interrupted(kLong);
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(text_of(directory_ / "runs/scene/summary.json"), HasSubstr("\"interrupted\""));
   const std::string states = text_of(directory_ / "runs/scene/states.csv");
   EXPECT_TRUE(states.ends_with('\n'));
   EXPECT_GE(std::ranges::count(states, '\n'), 2);
-  EXPECT_FALSE(fs::exists(partial));
+}
+
+TEST_P(BothWays, HundredAndThirtyWhenInterruptedInTheMidstOfAFrame) {
+  const Outcome outcome = interrupted(kEndlessFrame);
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(text_of(directory_ / "runs/scene/summary.json"), HasSubstr("\"interrupted\""));
+  EXPECT_EQ(std::ranges::count(text_of(directory_ / "runs/scene/states.csv"), '\n'), 2);
 }
 
 // No file may grow beyond 100 kB, which is refused as the space of a full disk is.
