@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include "command.hpp"
+#include "rpc/endpoint.hpp"
 
 namespace animado::suite {
 namespace {
@@ -42,6 +43,7 @@ constexpr uintmax_t kSomeWork = 20'000;  // bytes of log: some 200 of the run's 
 class Supervision : public testing::Test {
  protected:
   Supervision() { write_text(directory_ / "scene.animado", kBusyScene); }
+  ~Supervision() override { fs::remove_all(rpc::socket_directory(kRun)); }  // who is killed leaves it
 
   fs::path partial(const Command& command) const {
     return directory_ / "runs" / fmt::format(".scene.partial-{}", command.pid());

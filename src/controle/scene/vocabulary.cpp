@@ -106,7 +106,7 @@ const std::vector<Property>& table() {
        kVelocity,
        {"initial velocity", "linear velocity", "velocidade linear inicial", "velocidade linear",
         "velocidade inicial", "velocidade"},
-       "vector, m/s, of the body frame's origin",
+       "vector, m/s, of the body frame's origin, each component at most the speed of light",
        "(0, 0, 0)"},
       {"angular velocity",
        kObject,
