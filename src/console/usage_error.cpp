@@ -1,6 +1,8 @@
 #include "console/usage_error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
 
 #include "base/nearest_name.hpp"
 #include "console/option_table.hpp"
