@@ -1,6 +1,7 @@
 // The kernels of one instruction set. This file is compiled once for each, with the name of its entry and the
 // width of a register given by the build.
 #include "egesp/lanes.hpp"
+#include "egesp/lanes.fetch.hpp"
 #include "egesp/lanes.looped.hpp"
 #include "egesp/lanes.substitution.hpp"
 #include "egesp/lanes.unrolled.hpp"
@@ -65,6 +66,7 @@ void solve_looped(const LaneBatch& batch) {
   for (size_t first = 0; first < batch.count; first += kWidth) {
     if (first % Fetch::kAhead == 0) sweep.fetch(batch.matrices + first + Fetch::kAhead, batch.stride);
     const Lane largest = sweep.load(source(batch, first));
+    fetch_sides(batch, first);
     if constexpr (kComplete) {
       number_order(block);
       sweep.complete();

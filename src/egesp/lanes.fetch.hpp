@@ -52,5 +52,16 @@ class Fetch {
   int left_ = kLines;  // of the stream's lines
 };
 
+// Right-hand sides of two groups later, and where the solutions of the next group go: what is stored waits
+// for its line of memory, and whatever is stored after it waits too. They are few: all at once.
+ANIMADO_INLINE void fetch_sides(const LaneBatch& batch, size_t first) {
+  if (first % kLaneGroup != 0) return;
+  for (int e = 0; e < batch.n * batch.m; ++e) {
+    const size_t element = static_cast<size_t>(e) * batch.stride + first;
+    __builtin_prefetch(batch.right_sides + element + 2 * kLaneGroup);
+    __builtin_prefetch(batch.solutions + element + kLaneGroup, 1);
+  }
+}
+
 }  // namespace
 }  // namespace animado::egesp

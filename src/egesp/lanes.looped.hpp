@@ -92,7 +92,6 @@ class LoopedSweep {
     for (int j = n_; j < columns_; ++j) {
       load_column(j, source.right_sides, j - n_, columns_ - n_, source.stride, [](Lane, int) {});
     }
-    fetch_sides(source);
     block_.largest = largest.of_all();
     return of_first;
   }
@@ -168,12 +167,6 @@ class LoopedSweep {
   static constexpr int kLastSteps = 6;
   ANIMADO_INLINE int last_steps() const {
     return kKeep || columns_ != n_ + 1 || n_ <= kLastSteps ? 0 : kLastSteps - n_ % 2;
-  }
-
-  // They are few: all at once.
-  ANIMADO_INLINE void fetch_sides(const Source& now) {
-    for (int e = 0; e < n_ * (columns_ - n_); ++e)
-      __builtin_prefetch(now.right_sides + static_cast<size_t>(e) * now.stride + 2 * kLaneGroup);
   }
 
   ANIMADO_INLINE Lane* column(int j) {
