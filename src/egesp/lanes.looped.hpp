@@ -272,14 +272,14 @@ class LoopedSweep {
     return next.of_all();
   }
 
-  // In the columns from `begin` on.
+  // In the columns from `begin` on. Rows in twos and without a branch: there is one row too many at the most.
   ANIMADO_INLINE void eliminate_two(int k, int begin) {
     Fetch fetch = fetch_;  // in registers
-    unrolled<kLaneSize / 4>((n_ - (k + 2) + 3) / 4, [&]<int kFours>() {
+    unrolled<kLaneSize / 2>((n_ - (k + 2) + 1) / 2, [&]<int kTwos>() {
       for (int j = begin; j < columns_; ++j) {
         eliminate_two_in(k, j, fetch, [](const auto& row) {
 #pragma GCC unroll 32
-          for (int i = 0; i < 4 * kFours; ++i) row(i);
+          for (int i = 0; i < 2 * kTwos; ++i) row(i);
         });
       }
     });
