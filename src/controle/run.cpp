@@ -118,6 +118,12 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
 
   FrameFacts facts;
   const std::vector<double> times = scene.time.frame_times();
+  ProgressReports progress(options.progress, stepper, static_cast<int64_t>(times.size()), times.back(),
+                           static_cast<int64_t>(scene.bodies.size()));
+  const auto stop_or_go_on = [&] {
+    progress.after_step();
+    return options.stop();
+  };
   const auto finish = [&](RunStatus status) {
     summary.status = status;
     close(summary, simulation, wall_time_s());
@@ -126,14 +132,12 @@ Summary run(const RunOptions& options, rpc::Suite& suite) {
   };
   try {
     for (size_t frame = 0; frame < times.size(); ++frame) {
-      if (frame > 0 && !stepper.advance_to(times[frame], options.stop)) break;
+      if (frame > 0 && !stepper.advance_to(times[frame], stop_or_go_on)) break;
       const double length_s = frame > 0 ? times[frame] - times[frame - 1] : 0;
       facts = facts_at(times[frame], length_s, facts.steps, summary.energy.initial_J, simulation);
       results.frame(facts, {stepper.state(), kStateRows * scene.bodies.size()});
       names.publish();
-      const auto count = [](auto value) { return static_cast<int64_t>(value); };
-      options.progress({count(frame + 1), count(times.size()), times[frame], times.back(),
-                        count(scene.bodies.size()), facts.steps, facts.impacts, facts.contacts});
+      progress.at_frame(static_cast<int64_t>(frame + 1));
       options.pace(times[frame]);
       names.take_edits();
       if (options.stop()) break;

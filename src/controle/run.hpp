@@ -14,11 +14,11 @@
 namespace animado::controle {
 
 struct RunOptions {
-  std::string scene;                // path of its file
-  std::filesystem::path directory;  // where the results are written; it is there already
-  std::string name = "run";         // tells this run's shared arrays from another's
-  bool physics_extensions = false;  // in animation.glb: drafts (results/physics_extensions.hpp)
-  OnProgress progress = [](const Progress&) {};
+  std::string scene;                             // path of its file
+  std::filesystem::path directory;               // where the results are written; it is there already
+  std::string name = "run";                      // tells this run's shared arrays from another's
+  bool physics_extensions = false;               // in animation.glb: drafts (results/physics_extensions.hpp)
+  OnProgress progress = [](const Progress&) {};  // called at every frame, and within one that takes long
   std::function<void(double time_s)> pace = [](double) {};  // asked at every frame: returns when it may go on
   std::vector<Event> edits = {};                            // to be made again, of an earlier run's events
   std::function<bool()> stop = [] { return false; };        // asked at every step: Ctrl-C
