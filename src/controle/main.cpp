@@ -47,7 +47,8 @@ int run(int argc, char** argv) {
   app.add_option("--socket-dir", suite_options.directory, "directory of the run's sockets");
   app.add_flag("--extensions", options.physics_extensions,
                "animation.glb holds masses and solids too: drafts of glTF extensions");
-  app.add_option("--progress-fd", progress_fd, "descriptor for a line of progress at each frame");
+  app.add_option("--progress-fd", progress_fd,
+                 "descriptor for lines of progress: at each frame, and within one that takes long");
   app.add_option("--pace-fd", pace_fd, "descriptor of commands: pause, resume, step, speed S; a line each");
   app.add_option("--replay", replay, "events.jsonl of an earlier run whose edits are made again")
       ->check(CLI::ExistingFile);
