@@ -7,7 +7,6 @@
 #include "animado/in_process.hpp"
 #include "base/error.hpp"
 #include "controle/edits.hpp"
-#include "controle/progress.hpp"
 #include "controle/scene/scene.hpp"
 
 namespace animado::controle {
@@ -36,26 +35,6 @@ TEST_P(Steps, StopWithinAFrame) {
   EXPECT_GT(run.stepper().time_s(), 0);
   EXPECT_LT(run.stepper().time_s(), 1e-2);
   EXPECT_LE(run.stepper().counts().steps, 3);
-}
-
-TEST_P(Steps, AreToldWithinAFrameThatTakesLong) {
-  Simulation run =
-      simulation("object ball\n shape sphere(radius=1)\n mass 2\n velocity (1, 0, 0)\n linear damping 1e6\n");
-  std::vector<Progress> told;
-  const OnProgress tell = [&](const Progress& progress) { told.push_back(progress); };
-  ProgressReports reports(tell, run.stepper(), 2, 1, 1);
-  reports.at_frame(1);
-  EXPECT_FALSE(run.stepper().advance_to(1, [&] {
-    reports.after_step();
-    return told.size() > 1;
-  }));
-  EXPECT_EQ(told[0].step_s, 0);
-  EXPECT_EQ(told[1].frame, 1);
-  EXPECT_EQ(told[1].frames, 2);
-  EXPECT_GT(told[1].steps, 0);
-  EXPECT_EQ(told[1].time_s, run.stepper().time_s());
-  EXPECT_NEAR(told[1].step_s * static_cast<double>(told[1].steps), told[1].time_s, 1e-12);
-  EXPECT_LT(told[1].step_s, 1e-5);
 }
 
 // What the old force was at the end of the last step is not where the next one starts.
