@@ -80,7 +80,8 @@ Connection::Received Connection::receive_by(Clock::time_point deadline) {
 bool Connection::wait_for_either(Clock::time_point deadline) {
   for (;;) {
     const int left_ms = milliseconds_until(deadline);
-    const auto ready = either_->wait(std::max(left_ms, 0));
+    const auto ready = either_->wait(fall_asleep() ? std::max(left_ms, 0) : 0);
+    stay_awake();
     const bool socket =
         std::ranges::any_of(ready, [](const epoll_event& e) { return e.data.ptr != nullptr; });
     if (socket || has_letter()) return true;
@@ -89,7 +90,7 @@ bool Connection::wait_for_either(Clock::time_point deadline) {
 }
 
 Connection::Received Connection::receive() {
-  if (begin_ == end_ && has_letter()) return receive_letter();  // never in the middle of a message
+  if (has_letter()) return receive_letter();
   make_room();
   const ssize_t count = descriptors_ == Descriptors::taken
                             ? receive_with_descriptors()
@@ -142,6 +143,7 @@ void Connection::attach(std::span<const int> descriptors) {
 void Connection::use(Mailbox mailbox, Waits waits) {
   mailbox_.emplace(std::move(mailbox));
   if (waits == Waits::elsewhere) return;
+  mailbox_->stay_awake();
   either_.emplace();
   either_->watch(fd_.get(), EPOLLIN, this);
   either_->watch(mailbox_->bell(), EPOLLIN | EPOLLET, nullptr);

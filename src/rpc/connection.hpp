@@ -59,7 +59,17 @@ class Connection {
   enum class Waits { elsewhere, here };
   void use(Mailbox mailbox, Waits waits);
   const std::optional<Mailbox>& mailbox() const { return mailbox_; }
-  bool has_letter() const { return mailbox_ && mailbox_->has_letter(); }
+  // One that may be taken: never in the middle of a message that comes over the socket.
+  bool has_letter() const { return mailbox_ && begin_ == end_ && mailbox_->has_letter(); }
+  // Looks for one a moment longer, where there is a mailbox.
+  void spin_for_letter() const {
+    if (mailbox_) spin([this] { return mailbox_->has_letter(); });
+  }
+  // Whether letters are looked for without their bell. False from fall_asleep() when one is there already.
+  void stay_awake() {
+    if (mailbox_) mailbox_->stay_awake();
+  }
+  bool fall_asleep() { return !mailbox_ || mailbox_->fall_asleep() || !has_letter(); }
   // What is flushed next is one short call, while nothing else is under way: it may go as a letter. Its
   // answer does, where it is short too.
   void call_by_letter() { by_letter_ = true; }

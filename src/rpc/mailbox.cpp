@@ -55,7 +55,10 @@ bool Mailbox::put(std::string_view letter) {
   if (letter.size() > kRoom) return false;
   std::memcpy(out_->bytes, letter.data(), letter.size());
   out_->size.store(static_cast<uint32_t>(letter.size()), std::memory_order_relaxed);
-  out_->number.store(++put_, std::memory_order_release);
+  // Either the other side sees the letter before it sleeps, or we see that it sleeps: these two and those in
+  // fall_asleep() have one order, as all have that are sequentially consistent.
+  out_->number.store(++put_);
+  if (out_->awake.load() != 0) return true;
   const uint64_t one = 1;
   // Full only when somebody else wrote 2⁶⁴ − 2 into it: who waits for this letter then hears of it when its
   // time is over.

@@ -100,8 +100,10 @@ A shared array is a memory file whose size is sealed; its descriptor comes with 
 A client that calls often may open a mailbox beside its connection, through which a short call takes half the time. The
 reply to `mailbox` brings three descriptors: a memory file of 8192 bytes with its size sealed, the server's bell and the client's
 bell (eventfds). The first half of the memory is for a request, the second for its answer: the number of letters so far (uint32,
-little-endian), the size of this one in bytes (uint32), and the letter: a message as it would go over the socket, or several. Who leaves
-a letter writes it, then its size, then its number, and adds 1 to the other's bell.
+little-endian), the size of this one in bytes (uint32), whether who takes it is awake (uint32), and the letter: a message as it would go
+over the socket, or several. Who leaves a letter writes it, then its size, then its number, and adds 1 to the other's bell where the
+other is not awake. A client that sets the word in the half of answers looks for them by itself; before it waits for the bell it writes 0
+there and looks once more. A client that leaves the word alone is rung for.
 
 A letter is one call while nothing else is under way on the connection. What came as a letter is answered by one if the answer fits and
 brings no descriptor, over the socket otherwise. The socket does all else, and the mailbox ends with it.

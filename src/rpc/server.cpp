@@ -14,7 +14,7 @@ namespace {
 // While one peer keeps us busy the others, and those who want to connect, are looked at this often.
 constexpr std::chrono::milliseconds kFullLook{1};
 constexpr std::chrono::milliseconds kLogDelay{50};  // who follows a log does not notice
-constexpr int kLooksAtLast = 32;      // at who spoke last, for one at everybody: some ten microseconds
+constexpr int kLooksAtLast = 8;       // at who spoke last, for one at everybody: some ten microseconds
 constexpr size_t kMaxClient = 40;     // characters of a client's name
 constexpr size_t kMaxPeers = 256;     // a run has 10; below the usual limit of 1024 open files
 constexpr size_t kMaxMailboxes = 64;  // three more open files each
@@ -73,6 +73,7 @@ bool Server::look() {
   if (!notified && !patience_.pays()) return false;
   const bool everybody = last_ == nullptr || ++looks_ % kLooksAtLast == 0;
   if (everybody) return wait(false) || notified;
+  last_->connection.spin_for_letter();
   if (!serve(*last_)) return notified;
   if (last_->ending || last_done_ - last_full_look_ > kFullLook) wait(false);
   return true;
@@ -80,14 +81,18 @@ bool Server::look() {
 
 bool Server::wait(bool sleep) {
   start_log_timer();
+  const bool asleep = sleep && fall_asleep();
   const auto next = companion_ ? companion_->next_time() : Clock::time_point::max();
-  int timeout_ms = sleep ? -1 : 0;
-  if (sleep && next != Clock::time_point::max()) {
+  int timeout_ms = asleep ? -1 : 0;
+  if (asleep && next != Clock::time_point::max()) {
     const auto left = std::max(next - Clock::now(), Clock::duration::zero());
     timeout_ms = static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
   }
   const auto ready = epoll_.wait(timeout_ms);
-  if (sleep) patience_.slept();
+  if (sleep) {
+    stay_awake();
+    patience_.slept();
+  }
   last_full_look_ = Clock::now();
   bool for_companion = last_full_look_ >= next, connecting = false;
   for (const epoll_event& event : ready) {
@@ -101,10 +106,31 @@ bool Server::wait(bool sleep) {
       serve(*static_cast<Peer*>(event.data.ptr));
     }
   }
+  const bool had_letters = serve_letters();
   if (for_companion) step_companion();
   if (connecting) accept_all();
   drop_ended();
-  return !ready.empty();
+  return had_letters || !ready.empty();
+}
+
+// On the only core we sleep whenever others work: there every letter is rung for.
+bool Server::fall_asleep() {
+  bool nothing_came = true;
+  if (patience_.pays())
+    for (Peer& peer : peers_) nothing_came &= peer.connection.fall_asleep() || is_behind(peer);
+  return nothing_came;
+}
+
+void Server::stay_awake() {
+  if (patience_.pays())
+    for (Peer& peer : peers_) peer.connection.stay_awake();
+}
+
+bool Server::serve_letters() {
+  bool some = false;
+  if (patience_.pays())
+    for (Peer& peer : peers_) some |= peer.connection.has_letter() && serve(peer);
+  return some;
 }
 
 // Its descriptor may be another one afterwards.
@@ -355,6 +381,7 @@ std::array<int, 3> Server::open_mailbox(ConnectionId id) {
       throw Error(Code::limit, fmt::format("{} connections have a mailbox", mailboxes_),
                   dispatcher_.service().name(), "go on over the socket");
     peer.connection.use(Mailbox::make(), Connection::Waits::elsewhere);
+    if (patience_.pays()) peer.connection.stay_awake();
     epoll_.watch(peer.connection.mailbox()->bell(), EPOLLIN | EPOLLET, &peer);
     ++mailboxes_;
   }

@@ -56,6 +56,9 @@ class Server {
   bool look();  // serves who spoke last, and now and then everybody; true when there was something to do
   bool send_notifications();  // to a few; true when there were some
   bool wait(bool sleep);      // for anything, and serves it; false when nothing came
+  bool fall_asleep();         // false when there are letters that nobody rang for
+  void stay_awake();
+  bool serve_letters();  // that nobody rang for; true when there were some
   void step_companion();
   void start_log_timer();  // the log is written out when it is over, not at every line
   void write_log();

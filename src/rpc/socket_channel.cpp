@@ -188,7 +188,15 @@ bool SocketChannel::receive_now() {
 
 // Waits for bytes; false when none came in time.
 bool SocketChannel::receive(Clock::time_point deadline) {
-  if (patience_.pays() && patience_.poll([this] { return receive_now(); })) return true;
+  const auto look = [this] {
+    connection_->spin_for_letter();
+    return receive_now();
+  };
+  if (patience_.pays()) {
+    if (patience_.poll(look)) return true;
+  } else if (connection_->mailbox() && !connection_->has_letter()) {
+    patience_.hand_over();
+  }
   const auto received = connection_->receive_by(deadline);
   patience_.slept();
   return has_come(received) || Clock::now() < deadline;

@@ -32,6 +32,18 @@ TEST(Mailbox, LettersGoBothWays) {
   EXPECT_EQ(taken(pair.client), "that");
 }
 
+TEST(Mailbox, WhoIsAwakeIsNotRungFor) {
+  Pair pair;
+  pair.server.stay_awake();
+  EXPECT_TRUE(pair.client.put("a"));
+  EXPECT_FALSE(is_readable(pair.server.bell()));
+  EXPECT_FALSE(pair.server.fall_asleep());
+  EXPECT_EQ(taken(pair.server), "a");
+  EXPECT_TRUE(pair.server.fall_asleep());
+  EXPECT_TRUE(pair.client.put("b"));
+  EXPECT_TRUE(is_readable(pair.server.bell()));
+}
+
 TEST(Mailbox, ALetterThatIsTooLongIsNotPut) {
   Pair pair;
   const std::string full(Mailbox::kRoom, 'x');

@@ -1,6 +1,7 @@
 // src/rpc/server.cpp: clients with a mailbox, and descriptors that go with answers.
 #include <gmock/gmock.h>
 
+#include <ctime>
 #include <list>
 
 #include "raw.hpp"
@@ -13,8 +14,9 @@ using ServerMailboxTest = ParrotTest;
 TEST_F(ServerMailboxTest, WhatCameAsALetterIsAnsweredByOne) {
   Raw client(parrot_.socket());
   client.hello();
-  EXPECT_EQ(client.open_mailbox(), R"([1,2,null,{"room":4088}])");
+  EXPECT_EQ(client.open_mailbox(), R"([1,2,null,{"room":4084}])");
   Connection& connection = client.connection();
+  connection.fall_asleep();
   client.send_letter(packed_of(R"([0, 3, "empty", [{}]])"));
   ASSERT_TRUE(wait_until(connection.mailbox()->bell(), POLLIN, Clock::now() + seconds(kLong_s)));
   EXPECT_TRUE(connection.has_letter());
@@ -57,6 +59,49 @@ TEST_F(ServerMailboxTest, AskedForTwiceItIsTheSame) {
   client.ask_by_letter(R"([0, 3, "empty", [{}]])");
   client.open_mailbox();
   EXPECT_EQ(client.ask_by_letter(R"([0, 4, "empty", [{}]])"), R"([1,4,null,{}])");
+}
+
+// With pauses about as long as a server looks before it sleeps: a letter that it neither saw nor was rung for
+// would wait for ever.
+TEST_F(ServerMailboxTest, NoLetterIsMissedByWhoIsAboutToSleep) {
+  Raw client(parrot_.socket());
+  client.hello();
+  client.open_mailbox();
+  for (int i = 0; i < 4000; ++i) {
+    const auto pause = std::chrono::nanoseconds(kPollFor) / 2 + std::chrono::nanoseconds(20 * i);
+    const auto end = Clock::now() + pause;
+    while (Clock::now() < end) {
+    }
+    ASSERT_EQ(client.ask_by_letter(fmt::format(R"([0, {}, "empty", [{{}}]])", 3 + i)),
+              fmt::format("[1,{},null,{{}}]", 3 + i));
+  }
+}
+
+TEST_F(ServerMailboxTest, WhoDidNotSpeakLastIsHeardWithoutABell) {
+  Raw one(parrot_.socket()), other(parrot_.socket());
+  for (Raw* client : {&one, &other}) {
+    client->hello();
+    client->open_mailbox();
+  }
+  for (int i = 0; i < 100; ++i)
+    for (Raw* client : {&one, &other})
+      ASSERT_EQ(client->ask_by_letter(R"([0, 3, "empty", [{}]])"), R"([1,3,null,{}])");
+}
+
+// Against the rules, and no reason to look for its end without a pause.
+TEST_F(ServerMailboxTest, ALetterInTheMiddleOfAMessageKeepsNobodyBusy) {
+  Raw client(parrot_.socket());
+  client.hello();
+  client.open_mailbox();
+  const std::string message = packed_of(R"([0, 3, "empty", [{}]])");
+  client.send(message.substr(0, 5));
+  client.send_letter(packed_of(R"([0, 4, "empty", [{}]])"));
+  const std::clock_t before = std::clock();
+  EXPECT_FALSE(wait_until(client.connection().fd(), POLLIN, Clock::now() + std::chrono::milliseconds(200)));
+  EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 10);
+  client.send(message.substr(5));
+  EXPECT_THAT((std::array{client.receive(), client.receive()}),
+              ::testing::UnorderedElementsAre(R"([1,3,null,{}])", R"([1,4,null,{}])"));
 }
 
 TEST_F(ServerMailboxTest, BytesThatAreNoMessageEndTheConnection) {
