@@ -153,7 +153,8 @@ void SocketChannel::say_hello() {
   receive_reply(id_, deadline, Hello::name);
 }
 
-// A server that has none to give is called over the socket.
+// A server that has none to give is called over the socket; so is one of another version, whose letters have
+// another form: their room tells.
 void SocketChannel::ask_for_mailbox(Clock::time_point deadline) {
   Encoder out(connection_->out());
   begin_request(++id_, OpenMailbox::name, out);
@@ -161,8 +162,12 @@ void SocketChannel::ask_for_mailbox(Clock::time_point deadline) {
   pack(type_of<Nothing>(), &nothing, out);
   send(deadline, OpenMailbox::name);
   try {
-    receive_reply(id_, deadline, OpenMailbox::name);
-    connection_->use(Mailbox::open(connection_->take_descriptors()), Connection::Waits::here);
+    Decoder in(receive_reply(id_, deadline, OpenMailbox::name));
+    OpenMailbox::Reply mailbox;
+    unpack(type_of<OpenMailbox::Reply>(), in, &mailbox, OpenMailbox::name);
+    auto descriptors = connection_->take_descriptors();
+    if (mailbox.room != Mailbox::kRoom) return;
+    connection_->use(Mailbox::open(std::move(descriptors)), Connection::Waits::here);
   } catch (const Error& error) {
     if (error.code() != Code::limit && error.code() != Code::unknown_method) throw;
   }

@@ -15,9 +15,9 @@ namespace {
 // asked.
 class Listener {
  public:
-  // refusal: what who asks for a mailbox is told.
-  explicit Listener(const fs::path& socket, std::optional<Code> refusal = {})
-      : listener_(listen_at(socket)), refusal_(refusal), thread_([this] { serve(); }) {}
+  // refusal: what who asks for a mailbox is told; or else how much room a letter has.
+  explicit Listener(const fs::path& socket, std::optional<Code> refusal = {}, int64_t room = Mailbox::kRoom)
+      : listener_(listen_at(socket)), refusal_(refusal), room_(room), thread_([this] { serve(); }) {}
   ~Listener() { thread_.join(); }
   // Once the client is gone: how many requests came, and which of them as letters.
   const std::vector<bool>& letters() {
@@ -59,7 +59,7 @@ class Listener {
       client.attach(client.mailbox()->descriptors());
     }
     const Hello::Reply hello{"parrot", "1", kProtocolVersion, 1};
-    const OpenMailbox::Reply room{Mailbox::kRoom};
+    const OpenMailbox::Reply room{room_};
     const Nothing nothing;
     begin_result(envelope.id, out);
     if (envelope.method == Hello::name) {
@@ -74,6 +74,7 @@ class Listener {
 
   UniqueFd listener_;
   std::optional<Code> refusal_;
+  int64_t room_;
   std::vector<bool> letters_;
   std::thread thread_;
 };
@@ -106,6 +107,16 @@ TEST_F(ChannelMailboxTest, AServerThatHasNoMailboxIsCalledOverTheSocket) {
     }
     EXPECT_EQ(listener.letters(), std::vector<bool>(22, false));
   }
+}
+
+TEST_F(ChannelMailboxTest, AServerOfAnotherVersionIsCalledOverTheSocket) {
+  const fs::path socket = directory_.path() / "parrot.sock";
+  Listener listener(socket, {}, Mailbox::kRoom + 4);
+  {
+    SocketSuite suite(options());
+    for (int i = 0; i < 20; ++i) suite.server("parrot", socket).call<Empty>({});
+  }
+  EXPECT_EQ(listener.letters(), std::vector<bool>(22, false));
 }
 
 TEST_F(ChannelMailboxTest, AServerThatFailsToMakeAMailboxIsNotTakenForOneWithout) {
