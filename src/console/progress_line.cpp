@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedraw{100};         // faster than that nobody reads
 constexpr std::chrono::milliseconds kBetweenLines{1000};  // a log of short work stays short
+constexpr std::chrono::milliseconds kLongSilence{60000};  // after which work seems to have stopped
 constexpr int kBarWidth = 20;
 
 std::string duration_text(double seconds) {
@@ -50,7 +51,8 @@ void ProgressLine::show(double part, Time now, const Text& text) {
 
 bool ProgressLine::is_due(int tenth, Time now) const {
   if (style_ == Style::terminal) return !last_shown_ || now - *last_shown_ >= kRedraw;
-  return tenth != last_tenth_ && now - last_shown_.value_or(begin_) >= kBetweenLines;
+  const auto silence = now - last_shown_.value_or(begin_);
+  return silence >= kLongSilence || (tenth != last_tenth_ && silence >= kBetweenLines);
 }
 
 void ProgressLine::clear() {

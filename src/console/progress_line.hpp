@@ -1,4 +1,5 @@
-// How far long work is: one line that is written over on a terminal; elsewhere a plain line now and then.
+// How far long work is: one line that is written over on a terminal; elsewhere a plain line for each tenth of
+// the work, and one a minute.
 #pragma once
 
 #include <chrono>

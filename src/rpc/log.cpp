@@ -5,6 +5,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 
@@ -14,6 +15,9 @@ namespace animado::rpc {
 namespace {
 
 constexpr size_t kMaxCollected = 16 << 10;  // bytes: they stay in the nearest caches
+constexpr size_t kBetweenLooks = 4 << 20;   // bytes, from one look at the disk to the next
+constexpr uintmax_t kMostLeft = 1 << 30;    // bytes that are left to others, or a part of a small disk:
+constexpr uintmax_t kSmallPart = 20;
 
 std::string date_text(std::time_t second) {
   std::tm parts{};
@@ -82,7 +86,14 @@ Log::~Log() {
   flush();
 }
 
-Log::Log(std::string_view module, const std::filesystem::path& file, LogLevel level) {
+Log::Log(std::string_view module, const std::filesystem::path& file, LogLevel level, DiskSpace disk)
+    : disk_(std::move(disk)) {
+  if (!disk_) {
+    disk_ = [file] {
+      std::error_code unknown;  // then all is −1: more than enough
+      return std::filesystem::space(file, unknown);
+    };
+  }
   try {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string());
     logger_ = std::make_unique<spdlog::logger>(std::string(module), std::move(sink));
@@ -118,8 +129,20 @@ void Log::format() {
     logger_->log(date - (now - line.time), {}, level_of(line.level), shown);
     text = end;
   }
+  written_ += texts_.size();
   lines_.clear();
   texts_.clear();
+  leave_room();
+}
+
+void Log::leave_room() {
+  if (written_ < kBetweenLooks) return;
+  written_ = 0;
+  const auto disk = disk_();
+  if (disk.available >= std::min(kMostLeft, disk.capacity / kSmallPart) || !enabled(LogLevel::info)) return;
+  logger_->set_level(spdlog::level::warn);
+  warn(fmt::format("only {} MiB are left on this disk: messages are not logged from here on",
+                   disk.available >> 20));
 }
 
 void Log::flush() {

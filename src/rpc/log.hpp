@@ -1,9 +1,11 @@
 // A module's log: a line a message, `time level module trace message`. Lines are collected and written out a
-// moment later, many at once: to write one costs a copy, and still they can be followed.
+// moment later, many at once: to write one costs a copy, and still they can be followed. Where the disk is
+// nearly full only warnings are written further: what is left is for the results.
 #pragma once
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,9 +23,13 @@ class Log {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
+  using DiskSpace = std::function<std::filesystem::space_info()>;
+
   Log();  // writes nothing
-  // Appends to the file; makes its folder. Throws Code::refused when it cannot be written.
-  Log(std::string_view module, const std::filesystem::path& file, LogLevel level = LogLevel::info);
+  // Appends to the file; makes its folder. Throws Code::refused when it cannot be written. disk: of another
+  // disk than the file's, for tests.
+  Log(std::string_view module, const std::filesystem::path& file, LogLevel level = LogLevel::info,
+      DiskSpace disk = {});
   ~Log();
 
   bool enabled(LogLevel level) const;
@@ -43,7 +49,11 @@ class Log {
     size_t end;  // in texts_
   };
 
+  void leave_room();
+
   std::unique_ptr<spdlog::logger> logger_;
+  DiskSpace disk_;
+  size_t written_ = 0;  // bytes of texts since somebody looked at the disk
   std::vector<Line> lines_;
   std::string texts_;  // of the lines, one after the other
   bool dirty_ = false;

@@ -98,6 +98,13 @@ TEST(ProgressLine, WritesRareLinesElsewhere) {
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("\x1b")));
 }
 
+TEST(ProgressLine, SaysEachMinuteElsewhereThatSlowWorkGoesOn) {
+  Written written;
+  ProgressLine line(Style::lines, written.file(), {});
+  for (int second = 1; second <= 150; ++second) show(line, 1, ProgressLine::Time{} + seconds(second));
+  EXPECT_EQ(written.text(), "frame 1 of 100\nframe 1 of 100\n");
+}
+
 TEST(ProgressLine, SaysNothingOfAShortRunOutsideATerminal) {
   Written written;
   ProgressLine line(Style::lines, written.file(), {});

@@ -64,5 +64,38 @@ TEST_F(LogTest, ManyLinesAreNotHeldBackForEver) {
   EXPECT_THAT(written(), ::testing::Not(IsEmpty()));
 }
 
+// Lines until the next look at the disk, and some more.
+void log_much(Log& log) {
+  const std::string line(1000, 'x');
+  for (int i = 0; i < 5000; ++i) log.info(line);
+  log.flush();
+}
+
+TEST_F(LogTest, ANearlyFullDiskIsLeftToOthers) {
+  std::filesystem::space_info disk{uintmax_t{100} << 30, 0, uintmax_t{1} << 30};
+  Log log("crow", file_, LogLevel::info, [&] { return disk; });
+  log_much(log);
+  EXPECT_TRUE(log.enabled(LogLevel::info));
+  disk.available = (uintmax_t{1} << 30) - 1;
+  log_much(log);
+  EXPECT_FALSE(log.enabled(LogLevel::info));
+  const auto size = std::filesystem::file_size(file_);
+  log_much(log);
+  EXPECT_EQ(std::filesystem::file_size(file_), size);
+  log.warn("a warning");
+  EXPECT_THAT(written(), ::testing::HasSubstr("warning crow - only 1023 MiB are left on this disk"));
+  EXPECT_THAT(written(), ::testing::HasSubstr("warning crow - a warning"));
+}
+
+TEST_F(LogTest, OfASmallDiskATwentiethIsLeft) {
+  std::filesystem::space_info disk{1000 << 20, 0, 50 << 20};
+  Log log("crow", file_, LogLevel::info, [&] { return disk; });
+  log_much(log);
+  EXPECT_TRUE(log.enabled(LogLevel::info));
+  disk.available -= 1;
+  log_much(log);
+  EXPECT_FALSE(log.enabled(LogLevel::info));
+}
+
 }  // namespace
 }  // namespace animado::rpc::testing
