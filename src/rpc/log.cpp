@@ -14,9 +14,9 @@
 namespace animado::rpc {
 namespace {
 
-constexpr size_t kMaxCollected = 16 << 10;  // bytes: they stay in the nearest caches
-constexpr size_t kBetweenLooks = 4 << 20;   // bytes, from one look at the disk to the next
-constexpr uintmax_t kMostLeft = 1 << 30;    // bytes that are left to others, or a part of a small disk:
+constexpr size_t kMaxCollected = 16 << 10;   // bytes: they stay in the nearest caches
+constexpr size_t kBetweenLooks = 256 << 10;  // bytes, from one look at the disk to the next
+constexpr uintmax_t kMostLeft = 1 << 30;     // bytes that are left to others, or a part of a small disk:
 constexpr uintmax_t kSmallPart = 20;
 
 std::string date_text(std::time_t second) {
