@@ -1,5 +1,14 @@
 #include "animado/running_suite.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
 #include "base/error.hpp"
 #include "rpc/endpoint.hpp"
 
@@ -22,9 +31,13 @@ std::string fitting(const std::string& run) {
   return name;
 }
 
+bool is_given() {
+  return std::getenv("ANIMADO_SOCKET_DIR") != nullptr;
+}
+
 // The directory of the run that started last among those that are alive; empty when there is none.
 fs::path latest_run() {
-  if (std::getenv("ANIMADO_SOCKET_DIR") != nullptr) return rpc::socket_directory();
+  if (is_given()) return rpc::socket_directory();
   fs::path latest;
   fs::file_time_type latest_time = fs::file_time_type::min();
   std::error_code nothing_there;
@@ -45,20 +58,60 @@ fs::path chosen_directory(const SuiteChoice& choice) {
   return latest_run();
 }
 
+// In the folder of a run that `animado` started, which holds it locked as long as it lives.
+constexpr std::string_view kLock = "animado.lock";
+
+rpc::UniqueFd open_lock(const fs::path& file, int how = 0) {
+  return rpc::UniqueFd(open(file.c_str(), O_RDWR | O_CLOEXEC | how, 0600));
+}
+
+// Otherwise it is now, until it is closed.
+bool is_locked(const rpc::UniqueFd& file) {
+  return flock(file.get(), LOCK_EX | LOCK_NB) != 0;
+}
+
+bool is_starting(const fs::path& directory) {
+  const rpc::UniqueFd file = open_lock(directory / kLock);
+  return file && is_locked(file);
+}
+
+// Appears under its name only when it is locked already, so that nobody takes its run for one that is over.
+rpc::UniqueFd make_lock(const fs::path& directory) {
+  const fs::path unready = directory / fmt::format("{}-{}", kLock, getpid());
+  rpc::UniqueFd file = open_lock(unready, O_CREAT);
+  if (!file || is_locked(file) || ::rename(unready.c_str(), (directory / kLock).c_str()) != 0) {
+    throw Error(Code::refused, fmt::format("the run's folder cannot be locked: {}", std::strerror(errno)),
+                directory.string(), "set ANIMADO_SOCKET_DIR to a folder of yours");
+  }
+  return file;
+}
+
+// What runs left that were killed: their folders hold a lock that nobody holds. Folders without one, of
+// services that somebody started by hand, are not ours to remove.
+void remove_abandoned(const fs::path& parent) {
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator(parent, gone)) {
+    const rpc::UniqueFd file = open_lock(entry.path() / kLock);
+    if (file && !is_locked(file)) fs::remove_all(entry.path(), gone);
+  }
+}
+
 }  // namespace
 
-SocketDirectory::SocketDirectory(const std::string& run)
-    : path_(rpc::socket_directory(fitting(run))), made_here_(!fs::exists(path_)) {
-  if (is_alive(path_)) {
+SocketDirectory::SocketDirectory(const std::string& run) : path_(rpc::socket_directory(fitting(run))) {
+  if (is_alive(path_) || is_starting(path_)) {
     throw Error(Code::conflict, "a suite is running there already", path_.string(),
                 "give the run another name with --run");
   }
+  if (!is_given()) remove_abandoned(path_.parent_path());
+  made_here_ = !fs::exists(path_);
   rpc::prepare_directory(path_);
+  lock_ = make_lock(path_);
 }
 
 SocketDirectory::~SocketDirectory() {
-  std::error_code ignored;  // what is left is cleared away by the next run of the same name
-  if (made_here_) fs::remove_all(path_, ignored);
+  std::error_code ignored;  // what is left is cleared away by the next run
+  made_here_ ? fs::remove_all(path_, ignored) : fs::remove(path_ / kLock, ignored);
 }
 
 std::unique_ptr<rpc::SocketSuite> find_suite(const SuiteChoice& choice) {

@@ -6,10 +6,12 @@
 #include <string>
 
 #include "rpc/socket_suite.hpp"
+#include "rpc/unique_fd.hpp"
 
 namespace animado {
 
-// The socket directory of a run that starts here; what it holds goes when the run ends.
+// The socket directory of a run that starts here; what it holds goes when the run ends, or with the next run
+// if this one is killed.
 class SocketDirectory {
  public:
   explicit SocketDirectory(const std::string& run);
@@ -21,7 +23,8 @@ class SocketDirectory {
 
  private:
   std::filesystem::path path_;
-  bool made_here_;
+  bool made_here_ = false;
+  rpc::UniqueFd lock_;
 };
 
 // Which suite a command speaks to.
