@@ -3,11 +3,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <cstdlib>
+#include <fstream>
 
 #include "base/error.hpp"
 #include "rpc/endpoint.hpp"
@@ -32,7 +31,8 @@ std::string fitting(const std::string& run) {
 }
 
 bool is_given() {
-  return std::getenv("ANIMADO_SOCKET_DIR") != nullptr;
+  const char* const given = std::getenv("ANIMADO_SOCKET_DIR");
+  return given && *given;
 }
 
 // The directory of the run that started last among those that are alive; empty when there is none.
@@ -58,60 +58,47 @@ fs::path chosen_directory(const SuiteChoice& choice) {
   return latest_run();
 }
 
-// In the folder of a run that `animado` started, which holds it locked as long as it lives.
-constexpr std::string_view kLock = "animado.lock";
+// In the folder of a run that `animado` started. Folders without it, of services that somebody started by
+// hand, are not ours to remove.
+constexpr std::string_view kMark = "animado.run";
 
-rpc::UniqueFd open_lock(const fs::path& file, int how = 0) {
-  return rpc::UniqueFd(open(file.c_str(), O_RDWR | O_CLOEXEC | how, 0600));
+// The folder, locked until this is closed; empty when somebody else holds it. The kernel lets go of what a
+// killed process held.
+rpc::UniqueFd lock(const fs::path& directory) {
+  rpc::UniqueFd held(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (held && flock(held.get(), LOCK_EX | LOCK_NB) != 0) held.reset();
+  return held;
 }
 
-// Otherwise it is now, until it is closed.
-bool is_locked(const rpc::UniqueFd& file) {
-  return flock(file.get(), LOCK_EX | LOCK_NB) != 0;
-}
-
-bool is_starting(const fs::path& directory) {
-  const rpc::UniqueFd file = open_lock(directory / kLock);
-  return file && is_locked(file);
-}
-
-// Appears under its name only when it is locked already, so that nobody takes its run for one that is over.
-rpc::UniqueFd make_lock(const fs::path& directory) {
-  const fs::path unready = directory / fmt::format("{}-{}", kLock, getpid());
-  rpc::UniqueFd file = open_lock(unready, O_CREAT);
-  if (!file || is_locked(file) || ::rename(unready.c_str(), (directory / kLock).c_str()) != 0) {
-    throw Error(Code::refused, fmt::format("the run's folder cannot be locked: {}", std::strerror(errno)),
-                directory.string(), "set ANIMADO_SOCKET_DIR to a folder of yours");
-  }
-  return file;
-}
-
-// What runs left that were killed: their folders hold a lock that nobody holds. Folders without one, of
-// services that somebody started by hand, are not ours to remove.
+// What runs left that were killed. Looks for the mark also before it locks: a run that has just made its
+// folder is about to.
 void remove_abandoned(const fs::path& parent) {
   std::error_code gone;
   for (const auto& entry : fs::directory_iterator(parent, gone)) {
-    const rpc::UniqueFd file = open_lock(entry.path() / kLock);
-    if (file && !is_locked(file)) fs::remove_all(entry.path(), gone);
+    const fs::path mark = entry.path() / kMark;
+    if (!fs::exists(mark, gone)) continue;
+    const rpc::UniqueFd held = lock(entry.path());
+    if (held && fs::exists(mark, gone)) fs::remove_all(entry.path(), gone);
   }
 }
 
 }  // namespace
 
 SocketDirectory::SocketDirectory(const std::string& run) : path_(rpc::socket_directory(fitting(run))) {
-  if (is_alive(path_) || is_starting(path_)) {
-    throw Error(Code::conflict, "a suite is running there already", path_.string(),
-                "give the run another name with --run");
-  }
   if (!is_given()) remove_abandoned(path_.parent_path());
   made_here_ = !fs::exists(path_);
   rpc::prepare_directory(path_);
-  lock_ = make_lock(path_);
+  lock_ = lock(path_);
+  if (!lock_ || is_alive(path_)) {
+    throw Error(Code::conflict, "a suite is running there already", path_.string(),
+                "give the run another name with --run");
+  }
+  const std::ofstream mark(path_ / kMark);
 }
 
 SocketDirectory::~SocketDirectory() {
   std::error_code ignored;  // what is left is cleared away by the next run
-  made_here_ ? fs::remove_all(path_, ignored) : fs::remove(path_ / kLock, ignored);
+  made_here_ ? fs::remove_all(path_, ignored) : fs::remove(path_ / kMark, ignored);
 }
 
 std::unique_ptr<rpc::SocketSuite> find_suite(const SuiteChoice& choice) {

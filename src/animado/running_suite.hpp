@@ -24,7 +24,7 @@ class SocketDirectory {
  private:
   std::filesystem::path path_;
   bool made_here_ = false;
-  rpc::UniqueFd lock_;
+  rpc::UniqueFd lock_;  // on the folder
 };
 
 // Which suite a command speaks to.

@@ -21,12 +21,12 @@ class SocketDirectories : public testing::Test {
   }
   ~SocketDirectories() override { unsetenv("XDG_RUNTIME_DIR"); }
 
-  // As a run that was killed leaves it: with a lock that nobody holds.
+  // As a run that was killed leaves it: with a run's mark, and nobody holds it.
   fs::path make_killed(const std::string& run) const {
     const fs::path directory = runs_ / run;
     fs::create_directories(directory);
     fs::permissions(directory, fs::perms::owner_all);
-    write_text(directory / "animado.lock", "");
+    write_text(directory / "animado.run", "");
     write_text(directory / "names.sqlite", "what it knew");
     return directory;
   }
