@@ -2,10 +2,13 @@
 #include "animado/running_suite.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "rpc/endpoint.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace animado {
@@ -21,14 +24,18 @@ class SocketDirectories : public testing::Test {
   }
   ~SocketDirectories() override { unsetenv("XDG_RUNTIME_DIR"); }
 
-  // As a run that was killed leaves it: with a run's mark, and nobody holds it.
-  fs::path make_killed(const std::string& run) const {
-    const fs::path directory = runs_ / run;
-    fs::create_directories(directory);
-    fs::permissions(directory, fs::perms::owner_all);
-    write_text(directory / "animado.run", "");
-    write_text(directory / "names.sqlite", "what it knew");
-    return directory;
+  // By a process that ends without a word.
+  static fs::path make_killed(const std::string& run) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const SocketDirectory directory(run);
+      write_text(directory.path() / "names.sqlite", "what it knew");
+      _exit(0);
+    }
+    EXPECT_EQ(waitpid(child, nullptr, 0), child);
+    const fs::path left = rpc::socket_directory(run);
+    EXPECT_TRUE(fs::exists(left / "names.sqlite"));
+    return left;
   }
 
   const TemporaryDirectory runtime_;
@@ -47,12 +54,16 @@ TEST_F(SocketDirectories, GoWithTheirRun) {
 }
 
 TEST_F(SocketDirectories, OfKilledRunsGoWithTheNext) {
-  const fs::path killed = make_killed("fall-17"), same = make_killed("fall-18");
+  const fs::path killed = make_killed("fall-17");
   {
     const SocketDirectory next("fall-18");
     EXPECT_FALSE(fs::exists(killed));
+  }
+  const fs::path same = make_killed("fall-17");
+  {
+    const SocketDirectory next("fall-17");
+    EXPECT_EQ(next.path(), same);
     EXPECT_FALSE(fs::exists(same / "names.sqlite"));
-    EXPECT_TRUE(fs::exists(next.path()));
   }
   EXPECT_FALSE(fs::exists(same));
 }
