@@ -40,7 +40,7 @@ double worst_error(const Tableau& method, std::span<const double> state, std::sp
   const std::vector<double> zeros(state.size());
   std::vector<double> error(state.size()), squares(systems * estimates);
   for (size_t e = 0; e < estimates; ++e) {
-    combine(zeros, derivatives, std::span(method.errors[e]).first(read), 1, error);
+    combine(zeros, derivatives, sum_of(std::span(method.errors[e]).first(read)), 1, error);
     for (size_t i = 0, system = 0; i < state.size(); ++i) {
       const double scaled = error[i] / tolerance.scale(i, std::max(std::abs(state[i]), std::abs(end[i])));
       squares[system * estimates + e] += scaled * scaled;
@@ -73,7 +73,7 @@ double step_error(const Tableau& method, std::span<const double> state, std::spa
 void dense_output(const Tableau& method, std::span<const double> state, std::span<const double> end,
                   std::span<const double> derivatives, double step, double theta, std::span<double> out) {
   const DenseWeights weights = dense_weights(method, theta);
-  combine(state, derivatives, weights.rates, step, out);
+  combine(state, derivatives, sum_of(weights.rates), step, out);
   for (size_t i = 0; i < out.size(); ++i) out[i] += weights.difference * (end[i] - state[i]);
 }
 

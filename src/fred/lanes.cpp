@@ -17,11 +17,11 @@ struct Terms {
   const double* k[kTerms];
   Lane coefficients[kTerms];
 
-  ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum) {
+  ANIMADO_INLINE Terms(const double* const* derivatives, const Sum& sum, double factor = 1) {
 #pragma GCC unroll 16
     for (int j = 0; j < kTerms; ++j) {
       k[j] = derivatives[sum.rows[j]];
-      coefficients[j] = sum.coefficients[j] - Lane{};  // in each place of the lane
+      coefficients[j] = factor * sum.coefficients[j] - Lane{};  // in each place of the lane
     }
   }
 
@@ -36,8 +36,9 @@ struct Terms {
 template <int kTerms>
 void combine(const double* y, const double* const* k, const Sum& sum, double h, double* out, size_t begin,
              size_t end) {
-  const Terms<kTerms> terms(k, sum);
-  for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + h * terms(e));
+  const Terms<kTerms> terms(k, sum, sum.takes_step ? h : 1);
+  const double factor = sum.takes_step ? 1 : h;
+  for (size_t e = begin; e < end; e += kWidth) put(out, e, at(y, e) + factor * terms(e));
 }
 
 #if ANIMADO_LANE_BYTES <= 32  // running sums come in fours

@@ -12,10 +12,18 @@ inline constexpr int kMostTerms = 16;           // of a sum
 inline constexpr size_t kMostDerivatives = 24;  // of a method
 inline constexpr int kMostEstimates = 2;        // of the error of one step
 inline constexpr size_t kRunningSums = 4;
+inline constexpr double kLargeCoefficients = 32;  // Σ_j |a_j| of a stage
 
-// Σ_j coefficients[j] k[rows[j]], taken in the order of j, each operation rounded.
+// Σ_j coefficients[j] k[rows[j]], taken in the order of j, each operation rounded. A step makes h Σ_j of it,
+// or Σ_j (h coefficients[j]) k[rows[j]] where it takes the step.
+//
+// The latter is for stages, where it spares a multiplication. The rounding of h a_j is the same in every step
+// of one length, and adds up: beside 128-bit numbers it made the error of the end's sum up to 22 times as
+// large (verner87), and that of a stage of large coefficients 9 times. With less than kLargeCoefficients the
+// step's own rounding hides it.
 struct Sum {
   int count = 0;  // at least 1
+  bool takes_step = false;
   unsigned char rows[kMostTerms] = {};
   double coefficients[kMostTerms] = {};
 };
@@ -50,13 +58,10 @@ struct Steps {
 // the elements from `begin` to `end`, a multiple of `width` in number, at any address.
 struct LaneKernels {
   size_t width;
-  // out = y + h sum. `out` is apart from what is read. With h in the coefficients a multiplication would be
-  // spared, but their rounding is the same in every step of one length, and adds up: 10 times the error of
-  // verner87 in 400 steps, 2 of dop853.
+  // out = y + h sum. `out` is apart from what is read.
   void (*combine[kMostTerms + 1])(const double* y, const double* const* k, const Sum& sum, double h,
                                   double* out, size_t begin, size_t end);
-  // Of each of EveryMethod, compiled for its coefficients alone. The same bits as with `combine`, where no
-  // number is so small that it has fewer digits.
+  // Of each of EveryMethod, compiled for its coefficients alone. The same bits as with `combine`.
   void (*const* steps)(const Steps& steps);
   bool (*are_finite)(const double* v, size_t begin, size_t end);
   // Of each estimate, running[i mod 4] += (sum_i · (1 / scale_i))², in the order of i. All estimates have the

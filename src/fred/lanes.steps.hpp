@@ -12,7 +12,8 @@ namespace {
 template <const auto& kMethod, int s>
 struct Row {
   int count = 0, rows[kMethod.kStages] = {};
-  double coefficients[kMethod.kStages] = {};
+  double coefficients[kMethod.kStages] = {}, size = 0;
+  bool takes_step = false;
 
   constexpr Row() {
     for (int j = 0; j < kMethod.kStages; ++j) {
@@ -20,21 +21,23 @@ struct Row {
       if (a == 0) continue;
       rows[count] = j;
       coefficients[count++] = a;
+      size += a < 0 ? -a : a;
     }
+    takes_step = s < kMethod.kStages && size < kLargeCoefficients;
   }
 };
 
 template <const auto& kMethod, int s>
 constexpr Row<kMethod, s> kRow;
 
-template <const auto& kSum, int i>
-ANIMADO_INLINE Lane add(Lane total, size_t) {
+ANIMADO_INLINE Lane add(const double*, Lane total, size_t) {
   return total;
 }
 
-template <const auto& kSum, int i, class... Rates>
-ANIMADO_INLINE Lane add(Lane total, size_t element, const double* k, Rates... others) {
-  return add<kSum, i + 1>(total + kSum.coefficients[i] * at(k, element), element, others...);
+template <class... Rates>
+ANIMADO_INLINE Lane add(const double* coefficients, Lane total, size_t element, const double* k,
+                        Rates... others) {
+  return add(coefficients + 1, total + *coefficients * at(k, element), element, others...);
 }
 
 // Its rates are told one after the other: what stands in an array is read from memory again.
@@ -43,12 +46,16 @@ ANIMADO_INLINE void combine_row(const Steps& s, const double* y, double* out, co
                                 Rates... others) {
   if constexpr (1 + sizeof...(others) < kSum.count) {
     combine_row<kSum>(s, y, out, first, others..., s.k[kSum.rows[1 + sizeof...(others)]]);
-  } else if constexpr (kSum.count == 1 && kSum.coefficients[0] == 0.5) {
-    const double half = s.step * 0.5;  // exact, and a multiplication less for each element
-    for (size_t e = 0; e < s.lanes; e += kWidth) put(out, e, at(y, e) + half * at(first, e));
-  } else {
+  } else if constexpr (kSum.takes_step) {
+    double c[kSum.count];
+    for (int j = 0; j < kSum.count; ++j) c[j] = s.step * kSum.coefficients[j];
     for (size_t e = 0; e < s.lanes; e += kWidth) {
-      put(out, e, at(y, e) + s.step * add<kSum, 1>(kSum.coefficients[0] * at(first, e), e, others...));
+      put(out, e, at(y, e) + add(c + 1, c[0] * at(first, e), e, others...));
+    }
+  } else {
+    constexpr const double* c = kSum.coefficients;
+    for (size_t e = 0; e < s.lanes; e += kWidth) {
+      put(out, e, at(y, e) + s.step * add(c + 1, c[0] * at(first, e), e, others...));
     }
   }
 }

@@ -71,7 +71,7 @@ Stage::Reply stage(const Stage::Request& request, rpc::Call& call) {
   check_shapes(request.state, request.derivatives, request.stage);
   const auto state = call.read(request.state), derivatives = call.read(request.derivatives);
   rpc::Destination out(call, request.out, request.state.shape, {state, derivatives});
-  combine(state, derivatives, method.coefficients(static_cast<size_t>(request.stage)), request.step,
+  combine(state, derivatives, method.places[static_cast<size_t>(request.stage)].sum, request.step,
           out.values());
   return {std::move(out).take()};
 }

@@ -3,15 +3,17 @@
 
 #include <span>
 
+#include "fred/lanes.hpp"
+
 namespace animado::fred {
 
-// derivatives: at least as many as there are coefficients, each `state.size()` numbers, one after the other.
+// derivatives: at least as many as the sum reads, each `state.size()` numbers, one after the other.
 // out: the size of state, apart from state and derivatives.
 //
 // Each element's sum is taken in the order j = 0, 1, … over the coefficients that are not zero, each
 // operation rounded: the bits do not depend on the width of a vector register. A derivative whose coefficient
 // is zero is not read.
-void combine(std::span<const double> state, std::span<const double> derivatives,
-             std::span<const double> coefficients, double step, std::span<double> out);
+void combine(std::span<const double> state, std::span<const double> derivatives, const Sum& sum, double step,
+             std::span<double> out);
 
 }  // namespace animado::fred

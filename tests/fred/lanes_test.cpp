@@ -37,10 +37,10 @@ class Lanes : public testing::TestWithParam<int> {
       }
     }
   }
-  double sum(int which, size_t i) const {
+  double sum(int which, size_t i, double factor = 1) const {
     const Sum& s = sums_[which];
-    double total = s.coefficients[0] * k_[s.rows[0]][i];
-    for (int j = 1; j < s.count; ++j) total += s.coefficients[j] * k_[s.rows[j]][i];
+    double total = factor * s.coefficients[0] * k_[s.rows[0]][i];
+    for (int j = 1; j < s.count; ++j) total += factor * s.coefficients[j] * k_[s.rows[j]][i];
     return total;
   }
 
@@ -59,6 +59,11 @@ TEST_P(Lanes, Combine) {
     for (size_t i = 0; i < kSize; ++i) {
       EXPECT_EQ(out[i], i < 4 || i >= 20 ? 9 : y_[i] + 0.1 * sum(0, i)) << kernels->width << " " << i;
     }
+    Sum with_step = sums_[0];
+    with_step.takes_step = true;
+    kernels->combine[terms](y_, k_, with_step, 0.1, out.data(), 0, kSize);
+    for (size_t i = 0; i < kSize; ++i)
+      EXPECT_EQ(out[i], y_[i] + sum(0, i, 0.1)) << kernels->width << " " << i;
   }
 }
 
@@ -76,10 +81,11 @@ std::vector<double> step(const Tableau& method, double t, double h, const std::v
   std::vector<double> stage = y;
   for (size_t s = 1; s <= method.stages(); ++s) {
     const auto& [sum, node] = method.places[s];
+    const double inside = sum.takes_step ? h : 1, outside = sum.takes_step ? 1 : h;
     for (size_t i = 0; i < y.size(); ++i) {
-      double total = sum.coefficients[0] * k[sum.rows[0]][i];
-      for (int j = 1; j < sum.count; ++j) total += sum.coefficients[j] * k[sum.rows[j]][i];
-      stage[i] = y[i] + h * total;
+      double total = inside * sum.coefficients[0] * k[sum.rows[0]][i];
+      for (int j = 1; j < sum.count; ++j) total += inside * sum.coefficients[j] * k[sum.rows[j]][i];
+      stage[i] = y[i] + outside * total;
     }
     if (s < method.stages()) rate(&evaluations, t + node * h, stage.data(), k[s].data(), y.size());
   }

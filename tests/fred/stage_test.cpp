@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "fred/state_sums.hpp"
+
 namespace animado::fred {
 namespace {
 
@@ -18,7 +20,7 @@ TEST(Stage, HasTheBitsOfTheSumInOrder) {
       for (size_t e = 0; e < size; ++e) y[e] = std::sin(static_cast<double>(e));
       for (size_t e = 0; e < k.size(); ++e) k[e] = std::cos(static_cast<double>(e * e));
       for (size_t j = 0; j < terms; ++j) coefficients[j] = j == 1 ? 0 : 1 / static_cast<double>(3 + j);
-      combine(y, k, coefficients, 0.1, out);
+      combine(y, k, sum_of(coefficients), 0.1, out);
       for (size_t e = 0; e < size; ++e) {
         double sum = 0;
         for (size_t j = 0; j < terms; ++j) {
@@ -34,7 +36,7 @@ TEST(Stage, HasTheBitsOfTheSumInOrder) {
 TEST(Stage, DoesNotReadWhatHasNoWeight) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> y{1, 2}, k{3, 4, nan, nan, 5, 6}, out(2);
-  combine(y, k, std::vector<double>{1, 0, 2}, 0.5, out);
+  combine(y, k, sum_of(std::vector<double>{1, 0, 2}), 0.5, out);
   EXPECT_EQ(out, (std::vector<double>{1 + 0.5 * 13, 2 + 0.5 * 16}));
 }
 

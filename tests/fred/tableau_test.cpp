@@ -37,6 +37,16 @@ TEST_P(EveryTableau, IsExplicitAndItsNodesAreRowSums) {
   }
 }
 
+// Where the rounding of h a_j would show, h stays outside of the sum.
+TEST_P(EveryTableau, StagesOfSmallCoefficientsTakeTheStep) {
+  const Tableau& m = GetParam();
+  for (size_t s = 1; s < m.derivatives(); ++s) {
+    const auto row = m.coefficients(s);
+    const double size = sum(row.size(), [&](size_t j) { return std::abs(row[j]); });
+    EXPECT_EQ(m.places[s].sum.takes_step, s != m.stages() && size < 32) << "stage " << s;
+  }
+}
+
 // The rooted trees of up to four vertices: Σ b_i φ_i = 1/γ for those of up to `order` vertices (Hairer,
 // Nørsett, Wanner I, table II.2.1).
 TEST_P(EveryTableau, SatisfiesTheConditionsOfItsOrderAndNotOfTheNext) {
