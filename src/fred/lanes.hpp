@@ -12,21 +12,28 @@ inline constexpr int kMostTerms = 16;           // of a sum
 inline constexpr size_t kMostDerivatives = 24;  // of a method
 inline constexpr int kMostEstimates = 2;        // of the error of one step
 inline constexpr size_t kRunningSums = 4;
-inline constexpr double kLargeCoefficients = 32;  // Σ_j |a_j| of a stage
 
 // Σ_j coefficients[j] k[rows[j]], taken in the order of j, each operation rounded. A step makes h Σ_j of it,
 // or Σ_j (h coefficients[j]) k[rows[j]] where it takes the step.
 //
 // The latter is for stages, where it spares a multiplication. The rounding of h a_j is the same in every step
 // of one length, and adds up: beside 128-bit numbers it made the error of the end's sum up to 22 times as
-// large (verner87), and that of a stage of large coefficients 9 times. With less than kLargeCoefficients the
-// step's own rounding hides it.
+// large (verner87), and that of a stage of large coefficients 9 times. Where they are small the step's own
+// rounding hides it.
 struct Sum {
   int count = 0;  // at least 1
   bool takes_step = false;
   unsigned char rows[kMostTerms] = {};
   double coefficients[kMostTerms] = {};
 };
+
+// Whether a stage of these coefficients takes the step. Static, so that it is shared with no other program
+// part.
+static constexpr bool are_small(const double* coefficients, int count) {
+  double size = 0;
+  for (int j = 0; j < count; ++j) size += coefficients[j] < 0 ? -coefficients[j] : coefficients[j];
+  return size < 32;
+}
 
 // absolute + relative max(|y_i|, |end_i|); `stride` is 0 for one tolerance of all elements, 1 for one of
 // each.

@@ -12,7 +12,7 @@ namespace {
 template <const auto& kMethod, int s>
 struct Row {
   int count = 0, rows[kMethod.kStages] = {};
-  double coefficients[kMethod.kStages] = {}, size = 0;
+  double coefficients[kMethod.kStages] = {};
   bool takes_step = false;
 
   constexpr Row() {
@@ -21,9 +21,8 @@ struct Row {
       if (a == 0) continue;
       rows[count] = j;
       coefficients[count++] = a;
-      size += a < 0 ? -a : a;
     }
-    takes_step = s < kMethod.kStages && size < kLargeCoefficients;
+    takes_step = s < kMethod.kStages && are_small(coefficients, count);
   }
 };
 

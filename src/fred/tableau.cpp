@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <numeric>
 
 #include "fred/state_sums.hpp"
 #include "fred/tableaus/tableaus.hpp"
@@ -44,16 +42,11 @@ Tableau tableau_of(const C& method, size_t number) {
           {}};
 }
 
-double size_of(const Sum& sum) {
-  return std::accumulate(sum.coefficients, sum.coefficients + sum.count, 0.0,
-                         [](double total, double a) { return total + std::abs(a); });
-}
-
 void add_sums(Tableau& tableau) {
   tableau.places = {{Sum(), 0}};
   for (size_t s = 1; s < tableau.derivatives(); ++s) {
     Sum sum = sum_of(tableau.coefficients(s));
-    sum.takes_step = s != tableau.stages() && size_of(sum) < kLargeCoefficients;
+    sum.takes_step = s != tableau.stages() && are_small(sum.coefficients, sum.count);
     tableau.places.push_back({sum, tableau.node(s)});
   }
   for (const auto& weights : tableau.errors) tableau.estimates.push_back(sum_of(weights));

@@ -32,25 +32,50 @@ const rpc::Service& service() {
   return kService;
 }
 
-// y' = −y by a caller that only knows the nodes: one step of every method agrees with e^−h to its order.
+// A step of y' = −y from 1 by a caller that only knows the method's stages.
+double stage_by_stage(const Methods::Method& method, double step) {
+  FakeCall call;
+  call.shared["k"].resize(static_cast<size_t>(method.stages));
+  Stage::Request request;
+  request.method = method.name;
+  request.step = step;
+  request.state = Array::inlined({1}, {1});
+  request.derivatives = Array::named("k", {method.stages, 1});
+  double y = 1;
+  for (int64_t s = 0; s < method.stages; ++s) {
+    call.shared["k"][static_cast<size_t>(s)] = -y;
+    request.stage = s + 1;
+    y = ask<Stage>(service(), request, call).state.values.at(0);
+  }
+  return y;
+}
+
+std::vector<Methods::Method> methods_with_stages() {
+  auto methods = ask<Methods>(service(), {}).methods;
+  std::erase_if(methods, [](const auto& method) { return method.nodes.empty(); });
+  return methods;
+}
+
 TEST(FredServer, EveryMethodCanBeSteppedStageByStage) {
-  for (const auto& method : ask<Methods>(service(), {}).methods) {
-    if (method.nodes.empty()) continue;
-    FakeCall call;
-    call.shared["k"].resize(static_cast<size_t>(method.stages));
-    Stage::Request request;
-    request.method = method.name;
-    request.step = 0.01;
-    request.state = Array::inlined({1}, {1});
-    request.derivatives = Array::named("k", {method.stages, 1});
-    double y = 1;
-    for (int64_t s = 0; s < method.stages; ++s) {
-      call.shared["k"][static_cast<size_t>(s)] = -y;
-      request.stage = s + 1;
-      y = ask<Stage>(service(), request, call).state.values.at(0);
-    }
-    EXPECT_NEAR(y, std::exp(-0.01), std::pow(0.01, static_cast<double>(method.order + 1)) + 1e-15)
+  for (const auto& method : methods_with_stages()) {
+    EXPECT_NEAR(stage_by_stage(method, 0.01), std::exp(-0.01),
+                std::pow(0.01, static_cast<double>(method.order + 1)) + 1e-15)
         << method.name;
+  }
+}
+
+// Steps so long that the last bit of a stage is seen at their end.
+TEST(FredServer, StageByStageHasTheBitsOfAnIntegration) {
+  for (const auto& method : methods_with_stages()) {
+    for (const double step : {0.7, 1.1, 1.3, 1.9}) {
+      Integrate::Request whole;
+      whole.equations = {"y' = -y"};
+      whole.from = {{"y", 1}};
+      whole.method = method.name;
+      whole.t1 = whole.step = step;
+      EXPECT_EQ(stage_by_stage(method, step), ask<Integrate>(service(), whole).state.at(0))
+          << method.name << " " << step;
+    }
   }
 }
 
