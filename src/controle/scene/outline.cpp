@@ -296,11 +296,17 @@ class OutlineReader {
       refuse(outline_.path, line.place(at), Code::syntax, "expected a property" + found(line, at),
              "a line is `property value`, `object NAME`, `world`, `time`, or a comment after #");
     }
+    const std::string_view first = std::string_view(folded).substr(at, ends.front() - at);
+    const bool opens = is_any(first, kWorldWords) || is_any(first, kTimeWords);
     std::vector<std::string> known = block_ ? names_in(*block_) : std::vector<std::string>{};
-    known.insert(known.end(), {"object", "world", "time"});
+    if (!opens) known.insert(known.end(), {"object", "world", "time"});
     std::string remedy;
     for (size_t k = ends.size(); k > 0 && remedy.empty(); --k) {
       remedy = suggestion(folded.substr(at, ends[k - 1] - at), known, "");
+    }
+    if (opens && remedy.empty()) {
+      const size_t after = line.skip_blanks(ends.front());
+      refuse_rest(line, after + (folded[after] == ':' ? 1 : 0), fmt::format("`{}`", first));
     }
     if (remedy.empty()) remedy = block_ ? "docs/scene-format.md lists the properties" : std::string(kBlocks);
     refuse(outline_.path, line.place(at), Code::unknown_name,
