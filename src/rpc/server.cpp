@@ -91,7 +91,7 @@ bool Server::wait(bool sleep) {
   const auto ready = epoll_.wait(timeout_ms);
   if (sleep) {
     stay_awake();
-    patience_.slept();
+    patience_.waited();
   }
   last_full_look_ = Clock::now();
   bool for_companion = last_full_look_ >= next, connecting = false;

@@ -203,7 +203,7 @@ bool SocketChannel::receive(Clock::time_point deadline) {
     patience_.hand_over();
   }
   const auto received = connection_->receive_by(deadline);
-  patience_.slept();
+  patience_.waited();
   return has_come(received) || Clock::now() < deadline;
 }
 

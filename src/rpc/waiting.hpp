@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace animado::rpc {
 
@@ -60,13 +61,16 @@ class Patience {
   }
 
   // On the only core: hands it to a peer that works for us, and has it again once the peer sleeps. Nobody
-  // needs to be woken then, which is a fifth of a short call.
-  void hand_over() {
-    if (!rests()) sched_yield();
+  // needs to be woken then, which is a fifth of a short call. False when it is kept for now.
+  bool hand_over() {
+    if (rests()) return false;
+    sched_yield();
+    return true;
   }
 
-  void slept() {
-    if (looked_) waited_until(Clock::now());
+  // The wait is over, if there was one: where an answer is there already nobody has begun to wait.
+  void waited() {
+    if (std::exchange(looked_, false)) waited_until(Clock::now());
   }
 
  private:
