@@ -135,6 +135,7 @@ struct Poisson {
 void solve_by_klu(egesp::SparseMatrix& a, std::vector<double>& x) {
   SuiteSparse_config.malloc_func = std::malloc;
   SuiteSparse_config.realloc_func = std::realloc;
+  SuiteSparse_config.free_func = std::free;
   klu_common common;
   klu_defaults(&common);
   klu_symbolic* symbolic = klu_analyze(a.n, a.starts.data(), a.rows.data(), &common);

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 #include <suitesparse/SuiteSparse_config.h>
 #include <suitesparse/klu.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/error.hpp"
 #include "egesp/batch_shape.hpp"
+#include "egesp/large_blocks.hpp"
 
 namespace animado::egesp {
 namespace {
@@ -34,28 +33,18 @@ constexpr double kLeastGrowth = 1e-6;
               "look for equations that depend on each other, or for an unknown that none of them holds");
 }
 
-// An ordering that is not AMD's has no estimate, and the factors of a block are one piece of memory: that it
-// stays below this keeps a service alive which was asked for too much. KLU then says that there is no memory.
-constexpr size_t kLargestPiece = size_t{1} << 30;  // bytes
-
-// Each system's factors are new memory, tens of megabytes of it: in small pages a sixth of the time goes to
-// the kernel, which is asked for one after the other. A hint: refused, they are small ones.
-void* in_huge_pages(size_t bytes) {
-  constexpr size_t kPage = size_t{2} << 20;
-  if (bytes < kPage) return std::malloc(bytes);
-  const size_t rounded = (bytes + kPage - 1) / kPage * kPage;
-  void* const memory = std::aligned_alloc(kPage, rounded);
-  if (memory != nullptr) madvise(memory, rounded, MADV_HUGEPAGE);
-  return memory;
+// KLU's memory. An ordering that is not AMD's has no estimate, and the factors of a block are one piece of
+// memory: that it stays below LargeBlocks::kLargest keeps a service alive which was asked for too much. KLU
+// then says that there is no memory. Never destroyed: a system may outlive what main() leaves.
+LargeBlocks& memory() {
+  static auto* const kMemory = new LargeBlocks;
+  return *kMemory;
 }
 
-void limit_memory() {
-  SuiteSparse_config.malloc_func = [](size_t bytes) {
-    return bytes > kLargestPiece ? nullptr : in_huge_pages(bytes);
-  };
-  SuiteSparse_config.realloc_func = [](void* old, size_t bytes) {
-    return bytes > kLargestPiece ? nullptr : std::realloc(old, bytes);
-  };
+void use_our_memory() {
+  SuiteSparse_config.malloc_func = [](size_t bytes) { return memory().allocate(bytes); };
+  SuiteSparse_config.realloc_func = [](void* old, size_t bytes) { return memory().resize(old, bytes); };
+  SuiteSparse_config.free_func = [](void* old) { memory().release(old); };
 }
 
 }  // namespace
@@ -66,7 +55,7 @@ struct SparseLu::Klu {
   klu_numeric* numeric = nullptr;
 
   explicit Klu(const SparseRule& rule) {
-    limit_memory();
+    use_our_memory();
     klu_defaults(&common);
     common.tol = rule.threshold;
     // Natural: KLU calls it "given", and takes the order as it is when no permutation is given.
