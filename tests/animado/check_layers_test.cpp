@@ -60,6 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"fred/server.cpp", "\"controle/run.hpp\"", "a service does not know controle"},
         Row{"rpc/daemon.cpp", "\"egesp/protocol.hpp\"", "rpc includes base and console only"},
         Row{"fred/server.cpp", "<sys/socket.h>", "src/rpc's"},
+        Row{"egesp/gauss_jordan.cpp", "<sys/mman.h>", "src/rpc's"},
+        Row{"egesp/large_blocks.cpp", "<sys/socket.h>", "src/rpc's"},
         Row{"fred/tableau.cpp", "\"tableau.hpp\"", "the name of a room"}));
 
 using Arrow = CheckLayers;
@@ -75,6 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Arrow,
                                          Row{"controle/scene.cpp", "\"interexpserv/parser.hpp\""},
                                          Row{"controle/stepper.cpp", "\"colisao/client.hpp\""},
                                          Row{"animado/in_process.cpp", "\"egesp/server.hpp\""},
+                                         Row{"egesp/large_blocks.cpp", "<sys/mman.h>"},
                                          Row{"rpc/daemon.cpp", "<sys/socket.h>"}));
 
 TEST_F(CheckLayers, RefusesATreeWithoutSources) {
