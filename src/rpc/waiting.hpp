@@ -37,7 +37,37 @@ bool spin(Look&& look) {
 }
 
 // Where others want the core, to yield it is to lose it for milliseconds, and a sleeper is woken sooner: who
-// looked and waited that long sleeps at once for a while, and longer each time that it happens again.
+// looked and waited that long sleeps at once for a while, and longer each time that it happens again before
+// as many waits were short.
+class Rests {
+ public:
+  // Whether this wait is one to sleep at once.
+  bool take() {
+    if (left_ == 0) return false;
+    --left_;
+    return true;
+  }
+  // One that was not took so long.
+  void waited(Clock::duration time) {
+    if (time > kSoon) {
+      left_ = next_;
+      next_ = std::min(2 * next_, kLong);
+      short_waits_ = 0;
+    } else if (++short_waits_ >= next_) {
+      next_ = kShort;
+      short_waits_ = 0;
+    }
+  }
+
+ private:
+  static constexpr std::chrono::microseconds kSoon{1000};
+  // Waits: a look that was in vain is then a small part of them.
+  static constexpr int kShort = 64, kLong = 1024;
+
+  int left_ = 0, next_ = kShort, short_waits_ = 0;
+};
+
+// Looks before it sleeps, where that may find anything and does not cost others much.
 class Patience {
  public:
   // Whether to look before one sleeps may find anything.
@@ -53,7 +83,7 @@ class Patience {
       sched_yield();
       now = Clock::now();
       if (attempt()) {
-        waited_until(now);
+        rests_.waited(now - begin_);
         return true;
       }
     }
@@ -70,33 +100,19 @@ class Patience {
 
   // The wait is over, if there was one: where an answer is there already nobody has begun to wait.
   void waited() {
-    if (std::exchange(looked_, false)) waited_until(Clock::now());
+    if (std::exchange(looked_, false)) rests_.waited(Clock::now() - begin_);
   }
 
  private:
-  static constexpr std::chrono::microseconds kSoon{1000};
-  // Waits: a look that was in vain is then a small part of them.
-  static constexpr int kShortRest = 64, kLongRest = 1024;
-
   // Whether this wait is one to sleep at once.
   bool rests() {
-    looked_ = rest_ == 0;
-    if (looked_) {
-      begin_ = Clock::now();
-    } else {
-      --rest_;
-    }
+    looked_ = !rests_.take();
+    if (looked_) begin_ = Clock::now();
     return !looked_;
   }
 
-  void waited_until(Clock::time_point now) {
-    const bool late = now - begin_ > kSoon;
-    if (late) rest_ = next_rest_;
-    next_rest_ = late ? std::min(2 * next_rest_, kLongRest) : kShortRest;
-  }
-
   const bool several_cores_ = several_cores();
-  int rest_ = 0, next_rest_ = kShortRest;
+  Rests rests_;
   bool looked_ = false;  // in this wait
   Clock::time_point begin_;
 };

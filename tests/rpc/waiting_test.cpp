@@ -1,4 +1,4 @@
-// src/rpc/waiting.hpp: when the only core is handed over, and when who waits sleeps at once.
+// src/rpc/waiting.hpp: when who waits sleeps at once.
 #include "rpc/waiting.hpp"
 
 #include <gtest/gtest.h>
@@ -27,18 +27,29 @@ void on_one_core(const std::function<void()>& body) {
   }).join();
 }
 
-TEST(Patience, AWaitThatTakesLongIsFollowedByManyThatSleepAtOnce) {
-  on_one_core([] {
-    Patience patience;
-    ASSERT_TRUE(patience.hand_over());
-    work_for(kLong);
-    patience.waited();
-    for (int wait = 0; wait < 64; ++wait) {
-      ASSERT_FALSE(patience.hand_over()) << wait;
-      patience.waited();
-    }
-    EXPECT_TRUE(patience.hand_over());
-  });
+int rests_after_a_long_wait(Rests& rests) {
+  rests.waited(kLong);
+  int count = 0;
+  while (rests.take()) ++count;
+  return count;
+}
+
+TEST(Rests, AreMoreAfterEachLongWaitEvenWhereShortOnesCameBetween) {
+  Rests rests;
+  EXPECT_FALSE(rests.take());
+  for (int expected : {64, 128, 256, 512, 1024, 1024}) {
+    EXPECT_EQ(rests_after_a_long_wait(rests), expected);
+    for (int wait = 0; wait < 20; ++wait) rests.waited(kShort);
+  }
+}
+
+TEST(Rests, AreFewAgainAfterAsManyShortWaits) {
+  Rests rests;
+  for (int wait = 0; wait < 5; ++wait) rests_after_a_long_wait(rests);
+  for (int wait = 0; wait < 1023; ++wait) rests.waited(kShort);
+  EXPECT_EQ(rests_after_a_long_wait(rests), 1024);
+  for (int wait = 0; wait < 1024; ++wait) rests.waited(kShort);
+  EXPECT_EQ(rests_after_a_long_wait(rests), 64);
 }
 
 TEST(Patience, WhatIsThereBeforeAnybodyWaitsWasNoLongWait) {
