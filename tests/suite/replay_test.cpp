@@ -19,7 +19,7 @@ mass 1
 force (-4*ball.position.x, 0, 0)
 time
 start 0
-end 80
+end 200
 step 0.1
 )";
 
