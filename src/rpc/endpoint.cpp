@@ -1,6 +1,8 @@
 #include "rpc/endpoint.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -51,6 +53,20 @@ bool somebody_listens(const fs::path& socket) {
   return try_connect(fd.get(), socket) == 0 || errno == EAGAIN;
 }
 
+// Sockets of a folder are set up and cleared away by one process at a time: one that is bound and does not
+// listen yet looks like what a dead process left. A file of its own, since `animado run` locks the folder for
+// as long as the run lasts. The kernel lets the lock of a dead process go.
+class SocketsLock {
+ public:
+  explicit SocketsLock(const fs::path& directory)
+      : file_(::open((directory / "sockets.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+    while (file_ && flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) continue;
+  }
+
+ private:
+  UniqueFd file_;  // none where no file can be made: what is tried there next tells why
+};
+
 }  // namespace
 
 fs::path socket_directory(std::string_view run) {
@@ -85,6 +101,7 @@ fs::path socket_path(const fs::path& directory, std::string_view service, pid_t 
 }
 
 UniqueFd listen_at(const fs::path& socket) {
+  const SocketsLock lock(socket.parent_path());
   if (somebody_listens(socket)) {
     throw Error(Code::conflict, "a process listens there already", socket.string(),
                 "stop it first, or set ANIMADO_SOCKET_DIR to another folder");
@@ -102,6 +119,7 @@ UniqueFd listen_at(const fs::path& socket) {
 }
 
 void remove_stale(const fs::path& directory, std::string_view service) {
+  const SocketsLock lock(directory);
   const std::string prefix = fmt::format("{}.", service);
   std::error_code gone;
   for (const auto& file : fs::directory_iterator(directory, gone)) {

@@ -6,7 +6,13 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <csignal>
+#include <latch>
+#include <thread>
 
 #include "fixture.hpp"
 
@@ -54,6 +60,40 @@ TEST_F(EndpointTest, StaleSocketsOfAServiceAreRemovedAndLiveOnesKept) {
   EXPECT_TRUE(fs::exists(socket_path(directory_, "egesp", 1)));
   EXPECT_FALSE(fs::exists(socket_path(directory_, "egesp", 2)));
   EXPECT_TRUE(fs::exists(socket_path(directory_, "fred", 3)));
+}
+
+// A socket that is bound and does not listen yet looks dead.
+TEST_F(EndpointTest, WhoStartsIsNotClearedAwayByAnotherThatStarts) {
+  std::atomic<bool> over = false;
+  std::vector<std::jthread> others;
+  for (int i = 0; i < 8; ++i) {
+    others.emplace_back([&] {
+      while (!over) remove_stale(directory_, "egesp");
+    });
+  }
+  for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(listen_at(socket_path(directory_, "egesp", i)));
+  over = true;
+}
+
+TEST_F(EndpointTest, OfManyThatWantOneAddressOneHasIt) {
+  const fs::path socket = socket_path(directory_, kWellKnown, 0);
+  for (int round = 0; round < 100; ++round) {
+    std::array<UniqueFd, 2> listeners;
+    std::latch ready(listeners.size());
+    std::vector<std::jthread> racers;
+    for (UniqueFd& listener : listeners) {
+      racers.emplace_back([&] {
+        ready.arrive_and_wait();
+        try {
+          listener = listen_at(socket);
+        } catch (const Error& error) {
+          EXPECT_EQ(error.code(), Code::conflict);
+        }
+      });
+    }
+    racers.clear();  // joins
+    EXPECT_EQ(std::ranges::count_if(listeners, [](const UniqueFd& fd) { return bool(fd); }), 1);
+  }
 }
 
 TEST_F(EndpointTest, APathTooLongForASocketNamesTheRemedy) {

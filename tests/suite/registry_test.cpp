@@ -139,8 +139,10 @@ TEST_F(RegistryOfSuite, ReplicasTakeTurnsAndADeadOneIsNotFound) {
     }
     return pids;
   };
-  const auto never = [] { return false; };
-  ASSERT_TRUE(wait_until([&] { return of_egesp().size() == 3; }, never));
+  const auto has_ended = [](const Child& child) { return child.wait(0); };
+  ASSERT_TRUE(wait_until([&] { return of_egesp().size() == 3; },
+                         [&] { return std::ranges::any_of(replicas, has_ended); }))
+      << "a replica ended: " << text_of(services_.directory() / "replica.output");
   // Three that look it up get three servers, and stay with them.
   std::list<rpc::SocketSuite> users;
   std::multiset<int64_t> pids;
@@ -152,7 +154,7 @@ TEST_F(RegistryOfSuite, ReplicasTakeTurnsAndADeadOneIsNotFound) {
 
   const pid_t victim = replicas[0].pid();
   ASSERT_EQ(kill(victim, SIGKILL), 0);
-  ASSERT_TRUE(wait_until([&] { return of_egesp().size() == 2; }, never));
+  ASSERT_TRUE(wait_until([&] { return of_egesp().size() == 2; }, [&] { return has_ended(replicas[1]); }));
   EXPECT_FALSE(of_egesp().contains(victim));
   for (int i = 0; i < 6; ++i) EXPECT_NE(client.lookup("egesp").pid, victim);
   for (rpc::SocketSuite& user : users) EXPECT_NE(user.channel("egesp").call<rpc::Statistics>({}).pid, victim);
@@ -166,7 +168,7 @@ TEST_F(RegistryOfSuite, TopShowsEachReplicaAndHowBusyItIs) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return nlohmann::json::parse(outcome.out);
   };
-  ASSERT_TRUE(wait_until([&] { return rows().size() == 5; }, [] { return false; }));
+  ASSERT_TRUE(wait_until([&] { return rows().size() == 5; }, [&] { return replica.wait(0); }));
   for (const auto& row : rows()) {
     EXPECT_GE(row.at("busy"), 0.0);
     EXPECT_LE(row.at("busy"), 1.0);
