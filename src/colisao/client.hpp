@@ -3,9 +3,9 @@
 // no handle: the client fills it in.
 #pragma once
 
-#include "base/error.hpp"
 #include "colisao/protocol.hpp"
 #include "rpc/channel.hpp"
+#include "rpc/prepared.hpp"
 
 namespace animado::colisao {
 
@@ -16,7 +16,7 @@ class Client {
   // Makes the bodies known; the other calls are about them.
   void prepare(Prepare::Request bodies) {
     bodies_ = std::move(bodies);
-    handle_ = channel_.call<Prepare>(bodies_).handle;
+    prepare();
   }
 
   Contacts::Reply contacts(Contacts::Request request) { return ask<Contacts>(std::move(request)); }
@@ -28,15 +28,13 @@ class Client {
  private:
   template <class M>
   typename M::Reply ask(typename M::Request request) {
-    request.handle = handle_;
-    try {
-      return channel_.call<M>(request);
-    } catch (const Error& error) {
-      if (error.code() != Code::unknown_handle) throw;
-    }
-    request.handle = handle_ = channel_.call<Prepare>(bodies_).handle;
-    return channel_.call<M>(request);
+    return rpc::ask_prepared([this] { prepare(); },
+                             [&] {
+                               request.handle = handle_;
+                               return channel_.call<M>(request);
+                             });
   }
+  void prepare() { handle_ = channel_.call<Prepare>(bodies_).handle; }
 
   rpc::Channel& channel_;
   Prepare::Request bodies_;

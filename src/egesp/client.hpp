@@ -1,9 +1,9 @@
 // EGESP as other modules see it: typed calls over a channel.
 #pragma once
 
-#include "base/error.hpp"
 #include "egesp/protocol.hpp"
 #include "rpc/channel.hpp"
+#include "rpc/prepared.hpp"
 
 namespace animado::egesp {
 
@@ -17,15 +17,11 @@ class PreparedSystems {
   // The request needs no handle: it is filled in.
   SolvePrepared::Reply solve(SolvePrepared::Request& request) {
     if (!prepared_) prepare();
-    request.handle = handle_;
-    try {
-      return channel_.call<SolvePrepared>(request);
-    } catch (const Error& error) {
-      if (error.code() != Code::unknown_handle) throw;
-    }
-    prepare();
-    request.handle = handle_;
-    return channel_.call<SolvePrepared>(request);
+    return rpc::ask_prepared([this] { prepare(); },
+                             [&] {
+                               request.handle = handle_;
+                               return channel_.call<SolvePrepared>(request);
+                             });
   }
 
  private:

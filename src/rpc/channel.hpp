@@ -50,9 +50,6 @@ class Channel {
   // The descriptor that came with the last reply (shared arrays), if any.
   virtual UniqueFd take_descriptor() = 0;
 
-  // Sends a descriptor with the next request; the caller keeps it open until then.
-  virtual void give_descriptor(int) {}
-
   // Waits for a notification of that kind. False when none came in time; Code::unavailable when the
   // connection was lost, and with it what was asked to be watched: ask again.
   template <class M>

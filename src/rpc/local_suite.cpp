@@ -37,14 +37,9 @@ LocalChannel::~LocalChannel() {
   if (service_->on_disconnect) service_->on_disconnect(kTheConnection);
 }
 
-void LocalChannel::give_descriptor(int fd) {
-  given_.push_back(duplicate(fd));
-}
-
 void LocalChannel::exchange(const MessageCodec& message, const void* request, void* reply) {
   const Marks marks{trace_, ++seq_};
   ServedCall call(kTheConnection, dispatcher_.suite());
-  call.set_incoming(std::exchange(given_, {}));
   const Dispatcher::Outcome outcome =
       dispatcher_.run(find(message, marks), request, reply, call, Clock::now());
   dispatcher_.record(message, request, marks, outcome, outcome.begin);

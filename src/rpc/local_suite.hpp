@@ -22,7 +22,6 @@ class LocalChannel final : public Channel {
 
   Service& service() { return *service_; }
   UniqueFd take_descriptor() override { return first_of(received_); }
-  void give_descriptor(int fd) override;
 
  protected:
   void exchange(const MessageCodec& message, const void* request, void* reply) override;
@@ -39,7 +38,7 @@ class LocalChannel final : public Channel {
   Dispatcher dispatcher_;
   const std::string& trace_;
   int64_t& seq_;
-  std::vector<UniqueFd> given_, received_;
+  std::vector<UniqueFd> received_;
   Inbox inbox_;
   bool is_full_ = false;
 };

@@ -102,12 +102,4 @@ void SharedArrays::drop(const std::string& name) {
   opened_.erase(name);
 }
 
-bool SharedArrays::hand_back() {
-  for (const auto& [name, array] : made_) {
-    interexpserv_.give_descriptor(array.descriptor());
-    interexpserv_.call<ArrayAdopt>({name, array.shape()});
-  }
-  return !made_.empty();
-}
-
 }  // namespace animado::rpc

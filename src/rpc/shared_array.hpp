@@ -50,9 +50,8 @@ class SharedArrays {
   SharedArray& open(const std::string& name);
   void drop(const std::string& name);  // unmaps it here
 
-  // Gives the arrays made here to an interexpserv that was restarted and lost them. False when there are
-  // none.
-  bool hand_back();
+  // Those made here, by name: what an interexpserv that was restarted gets back.
+  const std::map<std::string, SharedArray, std::less<>>& made() const { return made_; }
 
  private:
   struct Opened {

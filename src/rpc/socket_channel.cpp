@@ -1,4 +1,3 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,25 +51,24 @@ class Comeback {
 
 }  // namespace
 
-void SocketChannel::give_descriptor(int fd) {
-  given_.reset(fcntl(fd, F_DUPFD_CLOEXEC, 0));
-}
-
 void SocketChannel::exchange(const MessageCodec& message, const void* request, void* reply) {
   params_.clear();
   Encoder out(params_);
   pack_params(message.request, request, suite_.next_marks(), out);
-  std::string_view result;
-  try {
-    result = transact(message.name, params_);
-  } catch (const Error& error) {
-    // A restarted interexpserv does not know the arrays that we made: it gets them back, and the request goes
-    // out once more.
-    if (error.code() != Code::unknown_array || service_ == kWellKnown || !suite_.arrays().hand_back()) throw;
-    result = transact(message.name, params_);
-  }
-  Decoder in(result);
+  Decoder in(transact_with_arrays(message.name));
   unpack(message.reply, in, reply, message.name);
+}
+
+// A service that asks for an array of ours while interexpserv has lost it is asked once more.
+std::string_view SocketChannel::transact_with_arrays(std::string_view method) {
+  for (;;) {
+    try {
+      return transact(method, params_);
+    } catch (const Error& error) {
+      const bool may_be_lost = error.code() == Code::unknown_array && service_ != kWellKnown;
+      if (!may_be_lost || !suite_.arrays_came_back()) throw;
+    }
+  }
 }
 
 std::string SocketChannel::call_json(std::string_view method, std::string_view params) {
@@ -78,9 +76,8 @@ std::string SocketChannel::call_json(std::string_view method, std::string_view p
 }
 
 std::string_view SocketChannel::transact(std::string_view method, std::string_view params) {
-  const UniqueFd given = std::move(given_);
   std::string_view result;
-  const auto once = [&] { result = attempt(method, params, given.get()); };
+  const auto once = [&] { result = attempt(method, params); };
   repeat(method, std::ref(once));  // a reference fits into a std::function without memory of its own
   return result;
 }
@@ -98,11 +95,10 @@ void SocketChannel::repeat(std::string_view method, const std::function<void()>&
   give_up(method);
 }
 
-std::string_view SocketChannel::attempt(std::string_view method, std::string_view params, int given) {
+std::string_view SocketChannel::attempt(std::string_view method, std::string_view params) {
   if (!connection_) connect();
   const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
   if (++calls_ == kCallWithMailbox) ask_for_mailbox(deadline);
-  if (given >= 0) connection_->attach({&given, 1});
   Encoder out(connection_->out());
   begin_request(++id_, method, out);
   out.raw(params);
@@ -135,34 +131,44 @@ void SocketChannel::connect() {
   ++connections_;
   calls_ = 0;
   try {
-    say_hello();
+    const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
+    say_hello(deadline);
+    if (service_ == kWellKnown) hand_arrays_back(deadline);
   } catch (const Error&) {
     connection_.reset();
     throw;
   }
 }
 
-void SocketChannel::say_hello() {
-  const auto deadline = Clock::now() + seconds(suite_.options().call_timeout_s);
+template <class M>
+std::string_view SocketChannel::ask(const typename M::Request& request, Clock::time_point deadline) {
   Encoder out(connection_->out());
-  begin_request(++id_, Hello::name, out);
-  const Hello::Request hello{std::string(kProtocolName), kProtocolVersion, suite_.options().client,
-                             suite_.options().trace};
-  pack(type_of<Hello::Request>(), &hello, out);
-  send(deadline, Hello::name);
-  receive_reply(id_, deadline, Hello::name);
+  begin_request(++id_, M::name, out);
+  pack(type_of<typename M::Request>(), &request, out);
+  send(deadline, M::name);
+  return receive_reply(id_, deadline, M::name);
+}
+
+void SocketChannel::say_hello(Clock::time_point deadline) {
+  ask<Hello>({std::string(kProtocolName), kProtocolVersion, suite_.options().client, suite_.options().trace},
+             deadline);
+}
+
+// Arrays belong to the connection: one that was restarted does not know ours, nor one that we were cut off
+// from.
+void SocketChannel::hand_arrays_back(Clock::time_point deadline) {
+  for (const auto& [name, array] : suite_.arrays().made()) {
+    const int descriptor = array.descriptor();
+    connection_->attach({&descriptor, 1});
+    ask<ArrayAdopt>({name, array.shape()}, deadline);
+  }
 }
 
 // A server that has none to give is called over the socket; so is one of another version, whose letters have
 // another form: their room tells.
 void SocketChannel::ask_for_mailbox(Clock::time_point deadline) {
-  Encoder out(connection_->out());
-  begin_request(++id_, OpenMailbox::name, out);
-  const Nothing nothing;
-  pack(type_of<Nothing>(), &nothing, out);
-  send(deadline, OpenMailbox::name);
   try {
-    Decoder in(receive_reply(id_, deadline, OpenMailbox::name));
+    Decoder in(ask<OpenMailbox>({}, deadline));
     OpenMailbox::Reply mailbox;
     unpack(type_of<OpenMailbox::Reply>(), in, &mailbox, OpenMailbox::name);
     auto descriptors = connection_->take_descriptors();

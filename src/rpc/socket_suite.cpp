@@ -1,5 +1,7 @@
 #include "rpc/socket_suite.hpp"
 
+#include "rpc/common.hpp"
+
 namespace animado::rpc {
 
 SocketChannel& SocketSuite::channel(std::string_view service) {
@@ -15,6 +17,13 @@ SocketChannel& SocketSuite::server(const std::string& service, const std::filesy
 SharedArrays& SocketSuite::arrays() {
   if (!arrays_) arrays_ = std::make_unique<SharedArrays>(channel(kWellKnown));
   return *arrays_;
+}
+
+bool SocketSuite::arrays_came_back() {
+  SocketChannel& interexpserv = channel(kWellKnown);
+  const int64_t before = interexpserv.connections();
+  interexpserv.call<Ping>({});
+  return interexpserv.connections() != before;
 }
 
 }  // namespace animado::rpc

@@ -31,12 +31,12 @@ class SocketChannel final : public Channel {
       : suite_(suite), service_(std::move(service)), socket_(std::move(socket)) {}
 
   UniqueFd take_descriptor() override { return first_of(received_); }
-  void give_descriptor(int fd) override;
 
   // Any message of any service, as text: params as a JSON object, the result as JSON.
   std::string call_json(std::string_view method, std::string_view params);
 
   bool is_connected() const { return connection_.has_value(); }
+  int64_t connections() const { return connections_; }  // so far
   int fd() const {
     return connection_ ? connection_->fd() : -1;
   }  // readable when a notification may have come; -1 when not connected
@@ -53,13 +53,18 @@ class SocketChannel final : public Channel {
   void repeat(std::string_view method, const std::function<void()>& attempt);
   // Sends [0, id, method, [params]] and returns the packed result, connecting and repeating as needed.
   std::string_view transact(std::string_view method, std::string_view params);
-  std::string_view attempt(std::string_view method, std::string_view params, int given);
+  std::string_view transact_with_arrays(std::string_view method);  // params_
+  std::string_view attempt(std::string_view method, std::string_view params);
   // From exchanges[done] on, which it moves forward: what is done stays done when the connection breaks.
   void pipeline(const MessageCodec& message, std::span<const Exchange> exchanges, size_t& done);
   bool take_reply(const MessageCodec& message, int64_t id, const Exchange& exchange);
+  // One exchange over the connection as it is.
+  template <class M>
+  std::string_view ask(const typename M::Request& request, Clock::time_point deadline);
   void connect();
   std::filesystem::path find_socket();
-  void say_hello();
+  void say_hello(Clock::time_point deadline);
+  void hand_arrays_back(Clock::time_point deadline);
   void ask_for_mailbox(Clock::time_point deadline);
   void send(Clock::time_point deadline, std::string_view method);
   std::string_view receive_reply(int64_t id, Clock::time_point deadline, std::string_view method);
@@ -77,7 +82,6 @@ class SocketChannel final : public Channel {
   Inbox inbox_;
   int64_t connections_ = 0, listened_to_ = 0;  // how many there were; which of them notifications came over
   int64_t calls_ = 0;                          // over this connection
-  UniqueFd given_;
   std::vector<UniqueFd> received_;
   int64_t id_ = 0;
   Patience patience_;
@@ -99,6 +103,8 @@ class SocketSuite final : public Suite {
   // One server of several that offer the service, as `list` tells its socket.
   SocketChannel& server(const std::string& service, const std::filesystem::path& socket);
   SharedArrays& arrays() override;
+  // Asks interexpserv, and tells whether that took a new connection, over which it had our arrays back.
+  bool arrays_came_back();
   const Options& options() const { return options_; }
   Marks next_marks() { return {options_.trace, ++seq_}; }
 

@@ -378,7 +378,6 @@ TEST(InterexpservDaemon, LiveNamesComeBackWithTheirArrays) {
   EXPECT_EQ(client.get("late").values.at(0), 1);
   daemon.end(SIGKILL);
   daemon.start();
-  suite.arrays().hand_back();
   EXPECT_EQ(client.get("height").values.at(0), 100);
   publish(array, std::vector<double>{0.5, 50});
   EXPECT_EQ(client.get("late").values.at(0), 0);

@@ -166,6 +166,23 @@ TEST_F(Supervision, AKilledInterexpservComesBackAndTheResultIsTheSameToTheLastBi
   EXPECT_THAT(restarts(), testing::ElementsAre(testing::Pair("interexpserv", 1)));
 }
 
+TEST_F(Supervision, WhatARunPublishesIsReadAgainOnceInterexpservIsBack) {
+  std::string scene = kBusyScene;
+  const std::string_view end = "end 12";
+  scene.replace(scene.find(end), end.size(), "end 120");  // longer than interexpserv takes to come back
+  write_text(directory_ / "scene.animado", scene);
+  Command command(directory_, {"run", "scene.animado", "--no-pictures", "--run", kRun});
+  const auto time_is_read = [] { return animado({"get", "t", "ball.position", "--run", kRun}).code == 0; };
+  const auto over = [&] { return !command.running(); };
+  const pid_t pid = first_pid_of(command, "interexpserv");
+  ASSERT_GT(pid, 0) << command.err();
+  ASSERT_TRUE(wait_until(time_is_read, over)) << command.err();
+  ASSERT_EQ(kill(pid, SIGKILL), 0);
+  EXPECT_TRUE(wait_until(time_is_read, over)) << "the run ended before";
+  command.signal(SIGINT);
+  EXPECT_EQ(command.finish().code, 130) << command.err();
+}
+
 TEST_F(Supervision, ServicesDieWithTheSupervisor) {
   Command command(directory_, {"run", "scene.animado", "--no-pictures", "--run", kRun});
   std::vector<pid_t> pids;
