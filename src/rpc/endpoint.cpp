@@ -60,11 +60,15 @@ class SocketsLock {
  public:
   explicit SocketsLock(const fs::path& directory)
       : file_(::open((directory / "sockets.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    while (file_ && flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) continue;
+    while (!file_ || flock(file_.get(), LOCK_EX) != 0) {
+      if (file_ && errno == EINTR) continue;
+      throw Error(Code::refused, fmt::format("cannot lock the sockets' folder: {}", std::strerror(errno)),
+                  directory.string(), "set ANIMADO_SOCKET_DIR to a folder of yours");
+    }
   }
 
  private:
-  UniqueFd file_;  // none where no file can be made: what is tried there next tells why
+  UniqueFd file_;
 };
 
 }  // namespace

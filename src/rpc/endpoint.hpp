@@ -28,11 +28,11 @@ std::filesystem::path socket_path(const std::filesystem::path& directory, std::s
 
 // A listening socket, not blocking, that appears under its name only when it already listens. Throws
 // Code::conflict when a live process listens there; what a dead one left is replaced. Of processes that want
-// one address at the same time one has it.
+// one address at the same time one has it. Throws Code::refused where the folder does not let us.
 UniqueFd listen_at(const std::filesystem::path& socket);
 
 // Removes sockets of the service in the folder that nobody listens on any more, and no others: also while
-// processes of its name start.
+// processes of its name start. Throws Code::refused where the folder does not let us.
 void remove_stale(const std::filesystem::path& directory, std::string_view service);
 
 // A connected socket, not blocking, or an empty descriptor when nobody listens there. Throws Code::refused

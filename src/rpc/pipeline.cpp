@@ -36,7 +36,7 @@ void SocketChannel::exchange_all(const MessageCodec& message, std::span<const Ex
   for (const Exchange& exchange : exchanges) {
     if (*exchange.error && (*exchange.error)->code() == Code::unknown_array) {
       exchange.error->reset();
-      Channel::exchange_all(message, std::span(&exchange, 1));  // hands the arrays back, and asks again
+      Channel::exchange_all(message, std::span(&exchange, 1));  // asks again once they are there
     }
   }
 }

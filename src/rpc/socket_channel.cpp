@@ -59,7 +59,7 @@ void SocketChannel::exchange(const MessageCodec& message, const void* request, v
   unpack(message.reply, in, reply, message.name);
 }
 
-// A service that asks for an array of ours while interexpserv has lost it is asked once more.
+// A service that looked for an array of ours while interexpserv had lost it is asked again once it is there.
 std::string_view SocketChannel::transact_with_arrays(std::string_view method) {
   for (;;) {
     try {

@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <functional>
 #include <latch>
 #include <thread>
 
@@ -73,6 +74,17 @@ TEST_F(EndpointTest, WhoStartsIsNotClearedAwayByAnotherThatStarts) {
   }
   for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(listen_at(socket_path(directory_, "egesp", i)));
   over = true;
+}
+
+TEST_F(EndpointTest, AFolderThatIsNotThereIsNamed) {
+  const fs::path folder = directory_ / "nowhere";
+  for (const auto& start : std::vector<std::function<void()>>{
+           [&] { listen_at(socket_path(folder, "egesp", 1)); }, [&] { remove_stale(folder, "egesp"); }}) {
+    const Error error = error_of(start);
+    EXPECT_EQ(error.code(), Code::refused);
+    EXPECT_EQ(error.where(), folder);
+    EXPECT_FALSE(error.remedy().empty());
+  }
 }
 
 TEST_F(EndpointTest, OfManyThatWantOneAddressOneHasIt) {

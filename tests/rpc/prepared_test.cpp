@@ -6,7 +6,7 @@
 namespace animado::rpc::testing {
 namespace {
 
-// Knows the handle until it is asked `deaths` times.
+// Does not know the handle when it is asked the first `deaths` times.
 struct Forgetful {
   int deaths;
   Code code = Code::unknown_handle;
